@@ -1,7 +1,10 @@
 #pragma once
 
+#include "dem/vec3.hpp"
+
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,12 +19,13 @@ struct Check {
   bool ok;
 };
 
-/// The time series of a run: named columns with units, one row per record, and the stage each row belongs to.
+/// The time series of a run: named columns with units, one row per record, and the stage each row
+/// belongs to.
 class PressRecord {
 public:
   struct Column {
-    std::string name;  ///< "upper_punch_force"
-    std::string unit;  ///< "N"
+    std::string name; ///< "upper_punch_force"
+    std::string unit; ///< "N"
   };
 
   explicit PressRecord(std::vector<Column> columns) : columns_(std::move(columns)) {}
@@ -44,24 +48,35 @@ private:
   std::vector<std::vector<double>> rows_;
 };
 
-/// Single numbers of a run: what summary.json holds. A value that the run did not reach (no release yet) is NaN and
-/// written as null.
+/// What a tool went through. Stresses are NaN for a rigid tool, which knows none.
+struct ToolSummary {
+  static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::string name;
+  double max_von_mises = none;                 ///< [Pa]
+  dem::Vec3 where = dem::Vec3::Constant(none); ///< [m], of that stress
+  double valid_below_depth = none; ///< [m], stresses nearer to the surface are not resolved
+  double yield_utilisation = none; ///< [1], largest stress / yield stress
+};
+
+/// Single numbers of a run: what summary.json holds. A value that the run did not reach (no release
+/// yet) is NaN and written as null.
 struct Summary {
-  double max_force = 0.0;           ///< [N]
-  double porosity = 0.0;            ///< [1], the seed's
-  double porosity_core = 0.0;       ///< [1]
-  double compact_height = 0.0;      ///< [m], where the porosity was taken
-  double springback = 0.0;          ///< [1], (compact height - smallest gap) / smallest gap
-  int shape_quality = 0;            ///< 1 to 5; 0 = not reached
-  double shape_similarity = 0.0;    ///< [1]
+  double max_force = 0.0;        ///< [N]
+  double porosity = 0.0;         ///< [1], the seed's
+  double porosity_core = 0.0;    ///< [1]
+  double compact_height = 0.0;   ///< [m], where the porosity was taken
+  double springback = 0.0;       ///< [1], (compact height - smallest gap) / smallest gap
+  int shape_quality = 0;         ///< 1 to 5; 0 = not reached
+  double shape_similarity = 0.0; ///< [1]
   std::uint64_t grains = 0;
   std::uint64_t steps = 0;
-  double time_step = 0.0;           ///< [s], smallest used
+  double time_step = 0.0; ///< [s], smallest used
   double wall_seconds = 0.0;
   double particle_steps_per_second = 0.0;
   std::string mode = "rigid";
   std::string version;
   std::vector<Check> checks;
+  std::vector<ToolSummary> tools;
 };
 
-}  // namespace coupling
+} // namespace coupling
