@@ -1,0 +1,245 @@
+#include "dem/contact/contact_store.hpp"
+
+#include "dem/contact/list_filter.hpp"
+#include "dem/expect.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+/// What is asked of the contacts between steps: listing, energies, the stable step, capture and restore. All of it in
+/// full precision and one contact at a time.
+namespace dem {
+
+namespace {
+
+Triple<double> triple(Vec3 const& v) { return {v.x(), v.y(), v.z()}; }
+Vec3 vec3(Triple<double> const& v) { return {v.x, v.y, v.z}; }
+
+ContactInput<double> pair_input(Spheres const& g, std::size_t i, std::size_t j) {
+  Vec3 const separation = g.position[i] - g.position[j];
+  double const sum = g.radius[i] + g.radius[j];
+  return {.separation = triple(separation),
+          .square_gap = sum * sum - separation.squaredNorm(),
+          .radius_sum = sum,
+          .radius_i = g.radius[i],
+          .radius_j = g.radius[j],
+          .velocity = triple(g.velocity[i] - g.velocity[j]),
+          .spin_i = triple(g.spin[i]),
+          .spin_j = triple(g.spin[j])};
+}
+
+ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t i, SurfacePoint const& at) {
+  double const sum = 2.0 * g.radius[i], r = g.radius[i] + at.distance;
+  return {.separation = triple(r * at.normal),
+          .square_gap = (sum - r) * (sum + r),
+          .radius_sum = sum,
+          .radius_i = g.radius[i],
+          .radius_j = g.radius[i],
+          .velocity = triple(g.velocity[i] - tool.velocity),
+          .spin_i = triple(g.spin[i]),
+          .spin_j = {0.0, 0.0, 0.0}};
+}
+
+}  // namespace
+
+/// Calls visit(Contact, input, constants, memory) for every listed contact; `overlap` is set, forces are not.
+template <class T>
+template <class Visit>
+void TypedStore<T>::for_each_contact(World const& world, Visit&& visit) const {
+  Spheres const& g = world.grains;
+  PairTable const table(world.materials);
+  double constants[16] = {};
+  auto const memory_at = [](ContactBlock<T> const& block, std::size_t at) {
+    auto const m = [&](int s) { return static_cast<double>(block.memory_stream(s)[at]); };
+    return ContactMemory<double>{.spring = {m(0), m(1), m(2)}, .normal = m(3)};
+  };
+  for (ContactBlock<T> const& block : lists_.blocks) {
+    for (std::size_t k = 0; k < block.n_pairs; ++k) {
+      std::uint32_t const i = block.owner[k], j = block.partner[k];
+      auto const input = pair_input(g, i, j);
+      Contact c{};
+      c.i = i, c.j = j, c.tool = c.patch = c.triangle = Contact::none;
+      kernel_.constants(table(g.material[i], g.material[j]), pair_size(g, i, j), choice_, constants);
+      visit(c, input, constants, memory_at(block, k));
+    }
+    for (std::size_t k = 0; k < block.walls.size(); ++k) {
+      WallContact const& wall = block.walls[k];
+      Tool const& tool = world.tools[wall.tool];
+      if (!tool.present) continue;
+      std::vector<SurfacePoint> found;
+      Vec3 const centre = g.position[wall.owner] - tool.displacement;
+      if (wall.inside_rim) {
+        found.push_back(tool.surface.on_patch(wall.patch, centre));
+      } else {
+        tool.surface.find(centre, 1.2 * g.radius[wall.owner], found);
+        std::erase_if(found, [&](SurfacePoint const& at) { return at.patch != wall.patch; });
+      }
+      if (found.empty()) continue;
+      Contact c{};
+      c.i = wall.owner, c.j = Contact::none, c.tool = wall.tool, c.patch = wall.patch;
+      c.triangle = found.front().triangle;
+      c.point = found.front().point + tool.displacement;
+      kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner), choice_, constants);
+      visit(c, wall_input(g, tool, wall.owner, found.front()), constants, memory_at(block, block.wall_offset + k));
+    }
+  }
+}
+
+template <class T>
+std::vector<Contact> TypedStore<T>::list(World const& world) const {
+  std::vector<Contact> contacts;
+  ModelSwitches<double> const switches{.cohesion_in_limit = choice_.friction_limit == "net" ? 1.0 : 0.0,
+                                       .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
+  for_each_contact(world, [&](Contact c, ContactInput<double> const& in, double const* constants,
+                              ContactMemory<double> const& memory) {
+    ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
+    if (out.overlap <= 0.0 && memory.normal < 0.5) return;
+    c.normal = vec3(in.separation).normalized();
+    c.overlap = out.overlap;
+    c.normal_force = out.normal_force;
+    c.cohesive_force = out.cohesive_force;
+    c.force = vec3(out.force);
+    c.tangential_force = c.force - out.normal_force * c.normal;
+    if (c.tool == Contact::none)
+      c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
+    else if (c.triangle == Contact::none)
+      c.triangle = world.tools[c.tool].surface.triangle_at(c.patch, c.point - world.tools[c.tool].displacement);
+    contacts.push_back(c);
+  });
+  auto const& id = world.grains.id;
+  std::ranges::sort(contacts, {}, [&](Contact const& c) {
+    return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1, c.j == Contact::none ? c.tool : id[c.j], c.patch);
+  });
+  return contacts;
+}
+
+template <class T>
+StoredEnergy TypedStore<T>::energy(World const& world) const {
+  StoredEnergy total;
+  for_each_contact(world, [&](Contact const&, ContactInput<double> const& in, double const* constants,
+                              ContactMemory<double> const& memory) {
+    double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
+    if (overlap <= 0.0 && memory.normal < 0.5) return;
+    auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
+    total.elastic += e.elastic;
+    total.cohesive += e.cohesive;
+  });
+  return total;
+}
+
+/// Gershgorin's bound grain by grain: a grain's stiffness row sums to at most twice its contacts' stiffness; the
+/// tangential springs act on spin with the lever R, and R^2/I = 5/(2 m).
+template <class T>
+double TypedStore<T>::stable_step(World const& world) const {
+  Spheres const& g = world.grains;
+  std::vector<double> stiffness(g.size(), 0.0), dashpot(g.size(), 0.0);
+  for_each_contact(world, [&](Contact const& c, ContactInput<double> const& in, double const* constants,
+                              ContactMemory<double> const&) {
+    double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
+    if (overlap <= 0.0) return;
+    auto const s = kernel_.stiffness(constants, overlap);
+    double const k = std::max(s.normal, 3.5 * s.tangential);
+    double const d = std::max(s.normal_dashpot, 3.5 * s.tangential_dashpot);
+    double const share = c.j == Contact::none ? 1.0 : 2.0;  // a tool does not swing with the grain
+    stiffness[c.i] += share * k, dashpot[c.i] += share * d;
+    if (c.j != Contact::none) stiffness[c.j] += share * k, dashpot[c.j] += share * d;
+  });
+  double step = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < g.size(); ++i) {
+    if (stiffness[i] <= 0.0) continue;
+    double const w = std::sqrt(stiffness[i] / g.mass[i]);
+    double const z = dashpot[i] / (2.0 * g.mass[i] * w);
+    step = std::min(step, 2.0 / w * (std::sqrt(1.0 + z * z) - z));
+  }
+  return step;
+}
+
+template <class T>
+ListStatistics TypedStore<T>::statistics(World const& world) const {
+  ListStatistics s{.outer_builds = lists_.outer_builds,
+                   .inner_builds = lists_.inner_builds,
+                   .seconds = build_seconds_};
+  s.active = list(world).size();
+  auto const bytes = [](auto const&... v) { return ((v.capacity() * sizeof(v[0])) + ...); };
+  for (ContactBlock<T> const& b : lists_.blocks) {
+    s.listed += b.n_pairs + b.walls.size();
+    s.bytes += bytes(b.owner, b.partner, b.partner_slot, b.walls, b.halo, b.constants, b.memory, b.loads);
+  }
+  for (ListAge const* age : {&lists_.outer, &lists_.inner}) s.bytes += bytes(age->position, age->skin);
+  s.bytes += bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start, lists_.near_tool,
+                   lists_.halo_start, lists_.halo_entry, places_, motions_);
+  return s;
+}
+
+template <class T>
+ContactState TypedStore<T>::capture() const {
+  ContactState state{.outer_position = lists_.outer.position,
+                     .inner_position = lists_.inner.position,
+                     .outer_skin = lists_.outer.skin,
+                     .inner_skin = lists_.inner.skin,
+                     .outer_tool = lists_.outer.tool,
+                     .inner_tool = lists_.inner.tool,
+                     .outer_tool_skin = lists_.outer.tool_skin,
+                     .inner_tool_skin = lists_.inner.tool_skin,
+                     .spring = {},
+                     .normal_memory = {},
+                     .outer_builds = lists_.outer_builds,
+                     .inner_builds = lists_.inner_builds};
+  for (ContactBlock<T> const& block : lists_.blocks) {
+    auto const keep = [&](std::size_t at) {
+      auto const m = [&](int s) { return static_cast<double>(block.memory_stream(s)[at]); };
+      state.spring.emplace_back(m(0), m(1), m(2));
+      state.normal_memory.push_back(m(3));
+    };
+    for (std::size_t k = 0; k < block.n_pairs; ++k) keep(k);
+    for (std::size_t k = 0; k < block.walls.size(); ++k) keep(block.wall_offset + k);
+  }
+  return state;
+}
+
+template <class T>
+void TypedStore<T>::restore(World& world, ContactState const& state) {
+  std::size_t const n = world.grains.size();
+  VALIDATE(state.outer_position.size() == n && state.inner_position.size() == n && state.outer_skin.size() == n &&
+               state.inner_skin.size() == n && state.inner_tool.size() == world.tools.size() &&
+               state.outer_tool.size() == world.tools.size(),
+           "restart: the contact lists do not belong to these grains and tools. Is the file from another case?");
+  lists_ = {};
+  lists_.outer = {state.outer_position, state.outer_skin, state.outer_tool, state.outer_tool_skin};
+  lists_.inner = {state.inner_position, state.inner_skin, state.inner_tool, state.inner_tool_skin};
+  double const beyond = reach(world);
+  build_outer(world, beyond, lists_);
+  CarriedContacts<T> none;
+  none.start.assign(n + 1, 0);
+  build_inner(world, kernel_, choice_, beyond, none, lists_);
+  lists_.outer_builds = state.outer_builds;
+  lists_.inner_builds = state.inner_builds;
+  std::size_t next = 0;
+  for (ContactBlock<T>& block : lists_.blocks) {
+    VALIDATE(next + block.n_pairs + block.walls.size() <= state.spring.size() &&
+                 state.spring.size() == state.normal_memory.size(),
+             "restart: fewer contact springs than contacts. Is the file from another version?");
+    auto const put = [&](std::size_t at) {
+      for (int s = 0; s < 3; ++s) block.memory_stream(s)[at] = static_cast<T>(state.spring[next][s]);
+      block.memory_stream(3)[at] = static_cast<T>(state.normal_memory[next++]);
+    };
+    for (std::size_t k = 0; k < block.n_pairs; ++k) put(k);
+    for (std::size_t k = 0; k < block.walls.size(); ++k) put(block.wall_offset + k);
+  }
+}
+
+template std::vector<Contact> TypedStore<float>::list(World const&) const;
+template std::vector<Contact> TypedStore<double>::list(World const&) const;
+template StoredEnergy TypedStore<float>::energy(World const&) const;
+template StoredEnergy TypedStore<double>::energy(World const&) const;
+template double TypedStore<float>::stable_step(World const&) const;
+template double TypedStore<double>::stable_step(World const&) const;
+template ListStatistics TypedStore<float>::statistics(World const&) const;
+template ListStatistics TypedStore<double>::statistics(World const&) const;
+template ContactState TypedStore<float>::capture() const;
+template ContactState TypedStore<double>::capture() const;
+template void TypedStore<float>::restore(World&, ContactState const&);
+template void TypedStore<double>::restore(World&, ContactState const&);
+
+}  // namespace dem

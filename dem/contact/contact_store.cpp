@@ -1,0 +1,226 @@
+#include "dem/contact/contact_store.hpp"
+
+#include "dem/contact/list_filter.hpp"
+#include "dem/expect.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <limits>
+
+namespace dem {
+
+namespace {
+
+// Skins, measured on the seed's bed: small enough that few listed pairs are idle, large enough that building stays
+// under a tenth of the time.
+constexpr double inner_base = 0.004, outer_base = 0.06;          // of the smallest diameter
+constexpr double inner_steps = 60.0, outer_steps = 600.0;        // how many steps ahead a moving grain is followed
+constexpr double cap_diameters = 2.0;                            // of the smallest diameter
+constexpr double least_share = 0.5;  // an inner skin below this share of its base is not worth building
+
+struct SkinRules {
+  SkinRule inner, outer;
+};
+
+SkinRules skin_rules(World const& world, double dt) {
+  double const d = 2.0 * *std::ranges::min_element(world.grains.radius);
+  return {.inner = {.base = inner_base * d, .horizon = inner_steps * dt, .cap = cap_diameters * d},
+          .outer = {.base = outer_base * d, .horizon = outer_steps * dt, .cap = cap_diameters * d}};
+}
+
+ListAge age_now(World const& world, SkinRule const& rule) {
+  ListAge age{.position = world.grains.position, .skin = {}, .tool = {}, .tool_skin = {}};
+  age.skin.reserve(world.grains.size());
+  for (Vec3 const& v : world.grains.velocity) age.skin.push_back(rule.skin(v.norm()));
+  for (Tool const& tool : world.tools) {
+    age.tool.push_back(tool.displacement);
+    age.tool_skin.push_back(rule.skin(tool.velocity.norm()));
+  }
+  return age;
+}
+
+template <class V>
+void permute(std::vector<V>& values, std::vector<std::uint32_t> const& order) {
+  std::vector<V> sorted(values.size());
+  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
+  values = std::move(sorted);
+}
+
+void permute_grains(Spheres& grains, std::vector<std::uint32_t> const& order) {
+  permute(grains.position, order);
+  permute(grains.velocity, order);
+  permute(grains.spin, order);
+  permute(grains.force, order);
+  permute(grains.torque, order);
+  permute(grains.radius, order);
+  permute(grains.mass, order);
+  permute(grains.material, order);
+  permute(grains.id, order);
+}
+
+}  // namespace
+
+template <class T>
+double TypedStore<T>::reach(World const& world) const {
+  // Grows with the effective radius, so the largest grain at a tool or beside its like bounds every contact.
+  if (!kernel_.has_memory) return 0.0;
+  PairTable const table(world.materials);
+  Spheres const& grains = world.grains;
+  auto const largest = static_cast<std::size_t>(std::ranges::max_element(grains.radius) - grains.radius.begin());
+  double bound = 0.0;
+  for (std::size_t a = 0; a < world.materials.size(); ++a)
+    for (std::size_t b = 0; b < world.materials.size(); ++b) {
+      double row[16] = {};
+      kernel_.constants(table(static_cast<std::uint8_t>(a), static_cast<std::uint8_t>(b)),
+                        wall_size(grains, largest), choice_, row);
+      bound = std::max(bound, kernel_.reach(row));
+    }
+  return bound;
+}
+
+template <class T>
+bool TypedStore<T>::lists_hold(World const& world) const {
+  ListAge const& age = lists_.inner;
+  if (age.position.size() != world.grains.size() || age.tool.size() != world.tools.size()) return false;
+  for (std::size_t t = 0; t < world.tools.size(); ++t)
+    if ((world.tools[t].displacement - age.tool[t]).norm() > age.tool_skin[t]) return false;
+  bool hold = true;
+  std::size_t const n = world.grains.size();
+#pragma omp parallel for schedule(static) reduction(&& : hold)
+  for (std::size_t i = 0; i < n; ++i)
+    hold = hold && (world.grains.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
+  return hold;
+}
+
+/// A new inner list fits into the outer one if what each grain has moved already and its new skin stay within the
+/// outer skin.
+template <class T>
+bool TypedStore<T>::try_inner_build(World const& world, double dt) {
+  ListAge const& outer = lists_.outer;
+  if (outer.position.size() != world.grains.size() || outer.tool.size() != world.tools.size()) return false;
+  SkinRules const rules = skin_rules(world, dt);
+  ListAge age = age_now(world, rules.inner);
+  for (std::size_t i = 0; i < world.grains.size(); ++i) {
+    double const left = outer.skin[i] - (world.grains.position[i] - outer.position[i]).norm();
+    if (left < least_share * age.skin[i]) return false;
+    age.skin[i] = std::min(age.skin[i], left);
+  }
+  for (std::size_t t = 0; t < world.tools.size(); ++t) {
+    double const left = outer.tool_skin[t] - (world.tools[t].displacement - outer.tool[t]).norm();
+    if (left < least_share * age.tool_skin[t]) return false;
+    age.tool_skin[t] = std::min(age.tool_skin[t], left);
+  }
+  auto const carried = carry(lists_, {}, world.grains.size());
+  lists_.inner = std::move(age);
+  build_inner(world, kernel_, choice_, reach(world), carried, lists_);
+  ++lists_.inner_builds;
+  return true;
+}
+
+template <class T>
+void TypedStore<T>::full_build(World& world, double dt) {
+  auto const order = order_along_curve(world.grains.position);
+  std::vector<std::uint32_t> new_row(order.size());
+  for (std::uint32_t k = 0; k < order.size(); ++k) new_row[order[k]] = k;
+  auto const carried = carry(lists_, new_row, world.grains.size());
+  permute_grains(world.grains, order);
+  SkinRules const rules = skin_rules(world, dt);
+  lists_.outer = age_now(world, rules.outer);
+  lists_.inner = age_now(world, rules.inner);
+  double const beyond = reach(world);
+  build_outer(world, beyond, lists_);
+  build_inner(world, kernel_, choice_, beyond, carried, lists_);
+  ++lists_.outer_builds;
+  ++lists_.inner_builds;
+}
+
+template <class T>
+void TypedStore<T>::refresh(World& world, double dt) {
+  if (world.grains.size() == 0 || lists_hold(world)) return;
+  auto const begin = std::chrono::steady_clock::now();
+  if (!try_inner_build(world, dt)) full_build(world, dt);
+  build_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+template <class T>
+void TypedStore<T>::write_records(World const& world) {
+  Spheres const& grains = world.grains;
+  std::size_t const n = grains.size();
+  places_.resize(n);
+  motions_.resize(n);
+#pragma omp parallel for schedule(static)
+  for (std::size_t i = 0; i < n; ++i) {
+    Vec3 const &x = grains.position[i], &v = grains.velocity[i], &w = grains.spin[i];
+    places_[i] = {x.x(), x.y(), x.z(), grains.radius[i]};
+    motions_[i] = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
+                   static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()),
+                   static_cast<T>(grains.radius[i])};
+  }
+}
+
+template <class T>
+void TypedStore<T>::gather_loads(World& world) const {
+  Spheres& grains = world.grains;
+#pragma omp parallel for schedule(dynamic, 4)
+  for (std::size_t b = 0; b < lists_.blocks.size(); ++b) {
+    ContactBlock<T> const& block = lists_.blocks[b];
+    for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
+      LoadRecord<T> const& own = block.loads[i - block.first_row];
+      Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
+      for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
+        std::uint64_t const entry = lists_.halo_entry[h];
+        LoadRecord<T> const& r = lists_.blocks[entry >> 32].loads[entry & 0xffffffffu];
+        force += Vec3(r.fx, r.fy, r.fz);
+        torque += Vec3(r.tx, r.ty, r.tz);
+      }
+      grains.force[i] = force + grains.mass[i] * world.gravity;
+      grains.torque[i] = torque;
+    }
+  }
+}
+
+/// Force of the grains on each tool, and the tool's work: half the force of the last step, half of this one.
+template <class T>
+void TypedStore<T>::tally_tools(World& world, double dt) const {
+  std::vector<Vec3> force(world.tools.size(), Vec3::Zero());
+  std::vector<double> radial(world.tools.size(), 0.0);
+  for (ContactBlock<T> const& block : lists_.blocks)
+    for (WallContact const& wall : block.walls) {
+      Vec3 const f(wall.fx, wall.fy, wall.fz);
+      force[wall.tool] -= f;
+      double const r = std::hypot(wall.px, wall.py);
+      if (r > 0.0) radial[wall.tool] -= (f.x() * wall.px + f.y() * wall.py) / r;
+    }
+  for (std::size_t t = 0; t < world.tools.size(); ++t) {
+    Tool& tool = world.tools[t];
+    tool.work -= 0.5 * dt * (tool.force + force[t]).dot(tool.velocity);
+    tool.force = force[t];
+    tool.radial_force = radial[t];
+  }
+}
+
+template <class T>
+void TypedStore<T>::compute(World& world, double dt) {
+  write_records(world);
+  SweepInput<T> const input{.places = places_.data(),
+                            .motions = motions_.data(),
+                            .tools = world.tools,
+                            .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
+                                         .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
+                            .dt = dt};
+#pragma omp parallel for schedule(dynamic, 1)
+  for (std::size_t b = 0; b < lists_.blocks.size(); ++b) kernel_.sweep(lists_.blocks[b], input);
+  gather_loads(world);
+  tally_tools(world, dt);
+  for (ContactBlock<T> const& block : lists_.blocks) {
+    world.energy.normal_damping += dt * block.power.normal_loss;
+    world.energy.tangential_work += dt * block.power.tangential;
+    world.energy.rolling_work += dt * block.power.rolling;
+  }
+}
+
+template class TypedStore<float>;
+template class TypedStore<double>;
+
+}  // namespace dem

@@ -1,0 +1,60 @@
+#pragma once
+
+#include "dem/contact/contact_engine.hpp"
+#include "dem/contact/contact_lists.hpp"
+
+namespace dem {
+
+/// What the engine keeps, behind the number type that the case chose.
+class ContactEngine::Store {
+public:
+  virtual ~Store() = default;
+  virtual std::unique_ptr<Store> clone() const = 0;
+  virtual void refresh(World& world, double dt) = 0;
+  virtual void compute(World& world, double dt) = 0;
+  virtual std::vector<Contact> list(World const& world) const = 0;
+  virtual StoredEnergy energy(World const& world) const = 0;
+  virtual double stable_step(World const& world) const = 0;
+  virtual ListStatistics statistics(World const& world) const = 0;
+  virtual ContactState capture() const = 0;
+  virtual void restore(World& world, ContactState const& state) = 0;
+};
+
+/// @throws InvalidInput for unknown laws
+std::unique_ptr<ContactEngine::Store> make_store(ContactChoice const& choice);
+
+template <class T>
+class TypedStore final : public ContactEngine::Store {
+public:
+  explicit TypedStore(ContactChoice const& choice) : choice_(choice), kernel_(make_kernel<T>(choice)) {}
+
+  std::unique_ptr<Store> clone() const override { return std::make_unique<TypedStore>(*this); }
+  void refresh(World& world, double dt) override;
+  void compute(World& world, double dt) override;
+  std::vector<Contact> list(World const& world) const override;
+  StoredEnergy energy(World const& world) const override;
+  double stable_step(World const& world) const override;
+  ListStatistics statistics(World const& world) const override;
+  ContactState capture() const override;
+  void restore(World& world, ContactState const& state) override;
+
+private:
+  double reach(World const& world) const;
+  bool lists_hold(World const& world) const;
+  bool try_inner_build(World const& world, double dt);
+  void full_build(World& world, double dt);
+  void write_records(World const& world);
+  void gather_loads(World& world) const;
+  void tally_tools(World& world, double dt) const;
+  template <class Visit>
+  void for_each_contact(World const& world, Visit&& visit) const;
+
+  ContactChoice choice_;
+  ContactKernel<T> kernel_;
+  ContactLists<T> lists_;
+  std::vector<PlaceRecord> places_;
+  std::vector<MotionRecord<T>> motions_;
+  double build_seconds_ = 0.0;
+};
+
+}  // namespace dem

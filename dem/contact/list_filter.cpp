@@ -1,0 +1,171 @@
+#include "dem/contact/list_filter.hpp"
+
+#include "dem/expect.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace dem {
+
+namespace {
+
+constexpr std::size_t max_constants = 16;
+
+/// Appends one contact's constants and memory to the block's streams once their stride is known.
+template <class T>
+class StreamWriter {
+public:
+  StreamWriter(ContactKernel<T> const& kernel, ContactBlock<T>& block) : kernel_(kernel), block_(block) {}
+
+  void write(std::size_t at, PairMaterial const& pair, PairSize const& size, ContactChoice const& choice) {
+    std::array<double, max_constants> row{};
+    kernel_.constants(pair, size, choice, row.data());
+    for (int s = 0; s < kernel_.n_constants; ++s)
+      block_.constants[static_cast<std::size_t>(s) * block_.stride + at] =
+          static_cast<T>(row[static_cast<std::size_t>(s)]);
+  }
+
+  void remember(std::size_t at, std::span<CarriedContact<T> const> carried, std::uint32_t partner,
+                std::uint32_t patch) {
+    for (auto const& c : carried) {
+      if (c.partner != partner || c.patch != patch) continue;
+      for (int s = 0; s < ContactBlock<T>::n_memory; ++s) block_.memory_stream(s)[at] = c.memory[s];
+      return;
+    }
+  }
+
+private:
+  ContactKernel<T> const& kernel_;
+  ContactBlock<T>& block_;
+};
+
+template <class T>
+void list_pairs(World const& world, double reach, ContactLists<T> const& lists, ContactBlock<T>& block) {
+  auto const& x = lists.inner.position;
+  auto const& skin = lists.inner.skin;
+  block.owner.clear();
+  block.partner.clear();
+  for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
+    double const own = world.grains.radius[i] + skin[i] + reach;
+    for (std::uint32_t j : lists.pairs.of(i)) {
+      double const sum = own + world.grains.radius[j] + skin[j];
+      if ((x[i] - x[j]).squaredNorm() >= sum * sum) continue;
+      block.owner.push_back(i);
+      block.partner.push_back(j);
+    }
+  }
+  block.n_pairs = static_cast<std::uint32_t>(block.owner.size());
+}
+
+/// Foreign partners get records behind the block's own; owners and partners are padded for the gather stage.
+template <class T>
+void number_partners(ContactBlock<T>& block) {
+  block.halo.clear();
+  for (std::uint32_t j : block.partner)
+    if (j >= block.end_row) block.halo.push_back(j);
+  std::ranges::sort(block.halo);
+  block.halo.erase(std::unique(block.halo.begin(), block.halo.end()), block.halo.end());
+  block.partner_slot.resize(block.n_pairs);
+  for (std::size_t k = 0; k < block.n_pairs; ++k) {
+    std::uint32_t const j = block.partner[k];
+    block.partner_slot[k] =
+        j < block.end_row
+            ? j - block.first_row
+            : block.n_rows() + static_cast<std::uint32_t>(std::ranges::lower_bound(block.halo, j) - block.halo.begin());
+  }
+  block.owner.resize((block.n_pairs + 3u) / 4u * 4u, block.first_row);
+  block.partner.resize(block.owner.size(), block.first_row);
+  block.loads.resize(block.n_rows() + block.halo.size());
+}
+
+/// A patch may be followed without search while neither grain nor tool can bring the closest point to its rim.
+bool stays_inside(Tool const& tool, SurfacePoint const& at, double radius, double travel) {
+  PatchKind const kind = tool.surface.patches()[at.patch].kind;
+  if (kind == PatchKind::curved || at.distance < 0.0 || at.distance > 2.0 * radius + travel) return false;
+  return tool.surface.distance_to_rim(at.patch, at.point) > 2.0 * travel + 1e-3 * radius;
+}
+
+template <class T>
+void list_walls(World const& world, double reach, ContactLists<T> const& lists, ContactBlock<T>& block) {
+  block.walls.clear();
+  std::vector<SurfacePoint> found;
+  for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
+    double const radius = world.grains.radius[i];
+    for (std::uint32_t s = lists.near_tool_start[i]; s < lists.near_tool_start[i + 1]; ++s) {
+      std::uint32_t const t = lists.near_tool[s];
+      if (!world.tools[t].present) continue;
+      double const travel = lists.inner.skin[i] + lists.inner.tool_skin[t];
+      found.clear();
+      world.tools[t].surface.find(lists.inner.position[i] - lists.inner.tool[t], radius + travel + reach, found);
+      for (SurfacePoint const& at : found)
+        block.walls.push_back({.owner = i,
+                               .tool = t,
+                               .patch = at.patch,
+                               .inside_rim = stays_inside(world.tools[t], at, radius, travel),
+                               .px = 0, .py = 0, .pz = 0, .fx = 0, .fy = 0, .fz = 0, .normal_force = 0});
+    }
+  }
+}
+
+}  // namespace
+
+PairSize pair_size(Spheres const& grains, std::size_t i, std::size_t j) {
+  return {.effective_radius = grains.radius[i] * grains.radius[j] / (grains.radius[i] + grains.radius[j]),
+          .effective_mass = grains.mass[i] * grains.mass[j] / (grains.mass[i] + grains.mass[j]),
+          .is_wall = false};
+}
+
+PairSize wall_size(Spheres const& grains, std::size_t i) {
+  return {.effective_radius = grains.radius[i], .effective_mass = grains.mass[i], .is_wall = true};
+}
+
+std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i, double reach) {
+  std::vector<std::uint32_t> near;
+  std::vector<SurfacePoint> found;
+  for (std::uint32_t t = 0; t < world.tools.size(); ++t) {
+    if (!world.tools[t].present) continue;
+    found.clear();
+    world.tools[t].surface.find(age.position[i] - age.tool[t],
+                                world.grains.radius[i] + age.skin[i] + age.tool_skin[t] + reach, found);
+    if (!found.empty()) near.push_back(t);
+  }
+  return near;
+}
+
+template <class T>
+void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoice const& choice,
+                PairTable const& table, double reach, CarriedContacts<T> const& carried,
+                ContactLists<T> const& lists, ContactBlock<T>& block) {
+  EXPECT(kernel.n_constants <= static_cast<int>(max_constants));
+  Spheres const& grains = world.grains;
+  list_pairs(world, reach, lists, block);
+  number_partners(block);
+  list_walls(world, reach, lists, block);
+  block.wall_offset = padded<T>(block.n_pairs);
+  block.stride = block.wall_offset + padded<T>(block.walls.size());
+  // Padding lanes keep a harmless 1 as every constant: they are computed and thrown away.
+  block.constants.assign(block.stride * static_cast<std::size_t>(kernel.n_constants), T(1));
+  block.memory.assign(block.stride * ContactBlock<T>::n_memory, T(0));
+
+  StreamWriter<T> stream(kernel, block);
+  for (std::size_t k = 0; k < block.n_pairs; ++k) {
+    std::uint32_t const i = block.owner[k], j = block.partner[k];
+    stream.write(k, table(grains.material[i], grains.material[j]), pair_size(grains, i, j), choice);
+    stream.remember(k, carried.of(i), j, CarriedContacts<T>::between_grains);
+  }
+  for (std::size_t k = 0; k < block.walls.size(); ++k) {
+    WallContact const& wall = block.walls[k];
+    std::size_t const at = block.wall_offset + k;
+    stream.write(at, table(grains.material[wall.owner], world.tools[wall.tool].material),
+                 wall_size(grains, wall.owner), choice);
+    stream.remember(at, carried.of(wall.owner), wall.tool, wall.patch);
+  }
+}
+
+template void fill_block(World const&, ContactKernel<float> const&, ContactChoice const&, PairTable const&, double,
+                         CarriedContacts<float> const&, ContactLists<float> const&, ContactBlock<float>&);
+template void fill_block(World const&, ContactKernel<double> const&, ContactChoice const&, PairTable const&,
+                         double, CarriedContacts<double> const&, ContactLists<double> const&,
+                         ContactBlock<double>&);
+
+}  // namespace dem

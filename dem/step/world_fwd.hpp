@@ -1,0 +1,6 @@
+#pragma once
+
+namespace dem {
+struct World;
+struct Tool;
+}  // namespace dem
