@@ -148,8 +148,9 @@ typename Model::template Constants<N> load_model_constants(T const* at, std::siz
 }
 
 /// The pure stage: the model on every pack of the batch. `at` is the batch's place in the block's streams.
+/// Flattened: every law is inlined, so packs stay in registers and never travel through memory as arguments.
 template <class Model, class T>
-void evaluate_batch(Batch<T>& b, std::size_t n, ContactBlock<T>& block, std::size_t at, SweepInput<T> const& in,
+[[gnu::flatten]] void evaluate_batch(Batch<T>& b, std::size_t n, ContactBlock<T>& block, std::size_t at, SweepInput<T> const& in,
                     std::array<Pack<T>, 3>& power) {
   using N = Pack<T>;
   constexpr auto aligned = std::experimental::element_aligned;
