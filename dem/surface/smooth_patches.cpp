@@ -21,8 +21,8 @@ public:
     return member;
   }
   void join(std::uint32_t a, std::uint32_t b) {
-    auto const [low, high] = std::minmax(root(a), root(b));
-    parent_[high] = low;
+    std::uint32_t const root_a = root(a), root_b = root(b);
+    parent_[std::max(root_a, root_b)] = std::min(root_a, root_b);
   }
 
 private:
