@@ -35,7 +35,7 @@ ClosestPoint closest_on_sides(CurvedTriangle const& triangle, Vec3 const& centre
     double const s = closest_on_arc(a, b, triangle.bulges[k], centre);
     Vec3 const point = s >= 1.0 ? b : a + s * (b - a) + 4.0 * s * (1.0 - s) * triangle.bulges[k];
     auto const found = side_or_corner(k, s, point, centre);
-    if (!best || found.distance < best->distance)
+    if (!best || is_nearer(found, *best))
       best = found;
   }
   return *best;
@@ -89,6 +89,14 @@ std::array<Vec3, 2> CurvedTriangle::tangents(Vec3 const& w) const {
   return {
       corners[1] - corners[0] + 4.0 * ((w[0] - w[1]) * bulges[0] + w[2] * (bulges[1] - bulges[2])),
       corners[2] - corners[0] + 4.0 * ((w[0] - w[2]) * bulges[2] + w[1] * (bulges[1] - bulges[0]))};
+}
+
+bool is_nearer(ClosestPoint const& one, ClosestPoint const& other) {
+  if (one.feature < other.feature)
+    return one.distance <= other.distance * (1.0 + equally_near);
+  if (one.feature > other.feature)
+    return one.distance < other.distance * (1.0 - equally_near);
+  return one.distance < other.distance;
 }
 
 ClosestPoint closest_on_flat(std::array<Vec3, 3> const& corners, Vec3 const& centre) {

@@ -7,6 +7,7 @@
 
 namespace dem {
 
+/// In the order of preference where two are equally near.
 enum class Feature : std::uint8_t { face, side, corner };
 
 /// A triangle whose sides are parabolic arcs; side k joins corners k and k + 1. With barycentric
@@ -33,6 +34,14 @@ struct ClosestPoint {
   Feature feature;
   std::uint8_t row; ///< which side or corner; 0 for the face
 };
+
+/// Distances that differ by less than this fraction are equal.
+inline constexpr double equally_near = 1e-14;
+
+/// Whether `one` is nearer than `other`. A corner and a point 1e-8 distances beside it on a side
+/// are equally far in double precision; then the side is meant, because its nearest point was found
+/// from directions, not from lengths.
+bool is_nearer(ClosestPoint const& one, ClosestPoint const& other);
 
 /// Exact on the flat triangle through the corners, by Voronoi regions.
 /// Source: Ericson, Real-Time Collision Detection (2005), 5.1.5.

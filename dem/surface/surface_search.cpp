@@ -77,11 +77,11 @@ std::optional<PatchHit> SmoothSurface::Search::nearest(std::uint32_t patch, Vec3
   triangle_trees[patch].near(centre, limit, [&](std::uint32_t row) {
     auto const triangle = smooth.triangles[patch][row];
     auto const found = closest_on_curved(curved[triangle], centre);
-    if (found.distance * found.distance > limit ||
-        (best && found.distance >= best->nearest.distance))
+    if (found.distance > reach || (best && !is_nearer(found, best->nearest)))
       return;
     best = PatchHit{patch, triangle, found, false};
-    limit = found.distance * found.distance;
+    // Equally near ones must still be seen.
+    limit = found.distance * found.distance * (1.0 + 4.0 * equally_near);
   });
   if (best)
     best->on_rim = lies_on_rim(best->triangle, best->nearest);
