@@ -18,9 +18,9 @@ namespace coupling {
 
 /// Which run a state belongs to and where in it.
 struct RestartHeader {
-  std::string program_version;
-  std::string case_text; ///< the full case as understood, .prm
-  std::string stage;     ///< the stage that is running, or has just ended
+  std::string program_version = {};
+  std::string case_text = {}; ///< the full case as understood, .prm
+  std::string stage;          ///< the stage that is running, or has just ended
   std::uint64_t step = 0;
   double time = 0.0; ///< [s], simulated
 };
