@@ -17,8 +17,11 @@ ContactEngine& ContactEngine::operator=(ContactEngine const& other) {
 ContactEngine& ContactEngine::operator=(ContactEngine&&) noexcept = default;
 ContactEngine::~ContactEngine() = default;
 
+double ContactEngine::kick_and_drift(World& world, double dt) { return store_->kick_and_drift(world, dt); }
 void ContactEngine::refresh(World& world, double dt) { store_->refresh(world, dt); }
-void ContactEngine::compute(World& world, double dt) { store_->compute(world, dt); }
+void ContactEngine::sweep(World& world, double dt) { store_->sweep(world, dt); }
+void ContactEngine::gather_and_kick(World& world, double dt) { store_->gather_and_kick(world, dt); }
+void ContactEngine::evaluate(World& world) { store_->evaluate(world); }
 std::vector<Contact> ContactEngine::list(World const& world) const { return store_->list(world); }
 StoredEnergy ContactEngine::energy(World const& world) const { return store_->energy(world); }
 double ContactEngine::stable_step(World const& world) const { return store_->stable_step(world); }

@@ -2,6 +2,7 @@
 
 #include "dem/contact/list_filter.hpp"
 #include "dem/expect.hpp"
+#include "dem/step/kick.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -14,8 +15,8 @@ namespace {
 
 // Skins, measured on the seed's bed: small enough that few listed pairs are idle, large enough that building stays
 // under a tenth of the time.
-constexpr double inner_base = 0.004, outer_base = 0.06;          // of the smallest diameter
-constexpr double inner_steps = 60.0, outer_steps = 600.0;        // how many steps ahead a moving grain is followed
+constexpr double inner_base = 0.015, outer_base = 0.12;          // of the smallest diameter
+constexpr double inner_steps = 100.0, outer_steps = 800.0;       // how many steps ahead a moving grain is followed
 constexpr double cap_diameters = 2.0;                            // of the smallest diameter
 constexpr double least_share = 0.5;  // an inner skin below this share of its base is not worth building
 
@@ -80,17 +81,21 @@ double TypedStore<T>::reach(World const& world) const {
 }
 
 template <class T>
-bool TypedStore<T>::lists_hold(World const& world) const {
+bool TypedStore<T>::tools_hold(World const& world) const {
   ListAge const& age = lists_.inner;
   if (age.position.size() != world.grains.size() || age.tool.size() != world.tools.size()) return false;
   for (std::size_t t = 0; t < world.tools.size(); ++t)
     if ((world.tools[t].displacement - age.tool[t]).norm() > age.tool_skin[t]) return false;
-  bool hold = true;
-  std::size_t const n = world.grains.size();
-#pragma omp parallel for schedule(static) reduction(&& : hold)
-  for (std::size_t i = 0; i < n; ++i)
-    hold = hold && (world.grains.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
-  return hold;
+  return true;
+}
+
+template <class T>
+bool TypedStore<T>::grains_hold(World const& world) const {
+  ListAge const& age = lists_.inner;
+  if (age.position.size() != world.grains.size()) return false;
+  for (std::size_t i = 0; i < world.grains.size(); ++i)
+    if ((world.grains.position[i] - age.position[i]).squaredNorm() > age.skin[i] * age.skin[i]) return false;
+  return true;
 }
 
 /// A new inner list fits into the outer one if what each grain has moved already and its new skin stay within the
@@ -136,48 +141,97 @@ void TypedStore<T>::full_build(World& world, double dt) {
 }
 
 template <class T>
+double TypedStore<T>::kick_and_drift(World& world, double dt) {
+  Spheres& g = world.grains;
+  ListAge const& age = lists_.inner;
+  bool const has_list = age.position.size() == g.size();
+  places_.resize(g.size());
+  motions_.resize(g.size());
+  // Chunks of fixed size: the sum does not depend on the number of threads.
+  constexpr std::size_t chunk = 1024;
+  std::vector<double> power((g.size() + chunk - 1) / chunk, 0.0);
+  bool hold = has_list;
+#pragma omp parallel for schedule(static) reduction(&& : hold)
+  for (std::size_t c = 0; c < power.size(); ++c) {
+    double chunk_power = 0.0;
+    bool chunk_holds = has_list;
+    for (std::size_t i = c * chunk; i < std::min(g.size(), (c + 1) * chunk); ++i) {
+      half_kick(g, i, dt);
+      g.position[i] += dt * g.velocity[i];
+      write_record(g, i);
+      chunk_power += g.mass[i] * world.gravity.dot(g.velocity[i]);
+      if (has_list)
+        chunk_holds &= (g.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
+    }
+    power[c] = chunk_power;
+    hold = hold && chunk_holds;
+  }
+  grains_hold_ = hold;
+  double total = 0.0;
+  for (double p : power) total += p;
+  return total;
+}
+
+template <class T>
 void TypedStore<T>::refresh(World& world, double dt) {
-  if (world.grains.size() == 0 || lists_hold(world)) return;
+  if (grains_hold_ && tools_hold(world)) return;
   auto const begin = std::chrono::steady_clock::now();
-  if (!try_inner_build(world, dt)) full_build(world, dt);
+  if (!try_inner_build(world, dt)) {
+    full_build(world, dt);
+    write_records(world);  // the grains stand in a new order
+  }
+  grains_hold_ = true;
   build_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 template <class T>
-void TypedStore<T>::write_records(World const& world) {
-  Spheres const& grains = world.grains;
-  std::size_t const n = grains.size();
-  places_.resize(n);
-  motions_.resize(n);
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    Vec3 const &x = grains.position[i], &v = grains.velocity[i], &w = grains.spin[i];
-    places_[i] = {x.x(), x.y(), x.z(), grains.radius[i]};
-    motions_[i] = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
-                   static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()),
-                   static_cast<T>(grains.radius[i])};
-  }
+void TypedStore<T>::evaluate(World& world) {
+  grains_hold_ = grains_hold(world);
+  // Nothing is known of the step to come: look ahead as far as one of the seed's would.
+  if (world.grains.size() > 0) refresh(world, 1e-7);
+  write_records(world);
+  sweep(world, 0.0);
+  gather_and_kick(world, 0.0);
 }
 
 template <class T>
-void TypedStore<T>::gather_loads(World& world) const {
-  Spheres& grains = world.grains;
-#pragma omp parallel for schedule(dynamic, 4)
-  for (std::size_t b = 0; b < lists_.blocks.size(); ++b) {
-    ContactBlock<T> const& block = lists_.blocks[b];
-    for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
-      LoadRecord<T> const& own = block.loads[i - block.first_row];
-      Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
-      for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
-        std::uint64_t const entry = lists_.halo_entry[h];
-        LoadRecord<T> const& r = lists_.blocks[entry >> 32].loads[entry & 0xffffffffu];
-        force += Vec3(r.fx, r.fy, r.fz);
-        torque += Vec3(r.tx, r.ty, r.tz);
-      }
-      grains.force[i] = force + grains.mass[i] * world.gravity;
-      grains.torque[i] = torque;
-    }
+void TypedStore<T>::write_record(Spheres const& g, std::size_t i) {
+  Vec3 const &x = g.position[i], &v = g.velocity[i], &w = g.spin[i];
+  places_[i] = {x.x(), x.y(), x.z(), g.radius[i]};
+  motions_[i] = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
+                 static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
+}
+
+template <class T>
+void TypedStore<T>::write_records(World const& world) {
+  places_.resize(world.grains.size());
+  motions_.resize(world.grains.size());
+  for (std::size_t i = 0; i < world.grains.size(); ++i) write_record(world.grains, i);
+}
+
+/// Own load first, then the foreign ones in the order of their blocks.
+template <class T>
+void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block, std::uint32_t i) const {
+  LoadRecord<T> const& own = block.loads[i - block.first_row];
+  Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
+  for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
+    std::uint64_t const entry = lists_.halo_entry[h];
+    LoadRecord<T> const& r = lists_.blocks[entry >> 32].loads[entry & 0xffffffffu];
+    force += Vec3(r.fx, r.fy, r.fz);
+    torque += Vec3(r.tx, r.ty, r.tz);
   }
+  world.grains.force[i] = force + world.grains.mass[i] * world.gravity;
+  world.grains.torque[i] = torque;
+}
+
+template <class T>
+void TypedStore<T>::gather_and_kick(World& world, double dt) {
+#pragma omp parallel for schedule(static)
+  for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
+    for (std::uint32_t i = lists_.blocks[b].first_row; i < lists_.blocks[b].end_row; ++i) {
+      gather_loads(world, lists_.blocks[b], i);
+      half_kick(world.grains, i, dt);
+    }
 }
 
 /// Force of the grains on each tool, and the tool's work: half the force of the last step, half of this one.
@@ -201,8 +255,7 @@ void TypedStore<T>::tally_tools(World& world, double dt) const {
 }
 
 template <class T>
-void TypedStore<T>::compute(World& world, double dt) {
-  write_records(world);
+void TypedStore<T>::sweep(World& world, double dt) {
   SweepInput<T> const input{.places = places_.data(),
                             .motions = motions_.data(),
                             .tools = world.tools,
@@ -211,7 +264,6 @@ void TypedStore<T>::compute(World& world, double dt) {
                             .dt = dt};
 #pragma omp parallel for schedule(dynamic, 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b) kernel_.sweep(lists_.blocks[b], input);
-  gather_loads(world);
   tally_tools(world, dt);
   for (ContactBlock<T> const& block : lists_.blocks) {
     world.energy.normal_damping += dt * block.power.normal_loss;

@@ -10,8 +10,11 @@ class ContactEngine::Store {
 public:
   virtual ~Store() = default;
   virtual std::unique_ptr<Store> clone() const = 0;
+  virtual double kick_and_drift(World& world, double dt) = 0;
   virtual void refresh(World& world, double dt) = 0;
-  virtual void compute(World& world, double dt) = 0;
+  virtual void sweep(World& world, double dt) = 0;
+  virtual void gather_and_kick(World& world, double dt) = 0;
+  virtual void evaluate(World& world) = 0;
   virtual std::vector<Contact> list(World const& world) const = 0;
   virtual StoredEnergy energy(World const& world) const = 0;
   virtual double stable_step(World const& world) const = 0;
@@ -29,8 +32,11 @@ public:
   explicit TypedStore(ContactChoice const& choice) : choice_(choice), kernel_(make_kernel<T>(choice)) {}
 
   std::unique_ptr<Store> clone() const override { return std::make_unique<TypedStore>(*this); }
+  double kick_and_drift(World& world, double dt) override;
   void refresh(World& world, double dt) override;
-  void compute(World& world, double dt) override;
+  void sweep(World& world, double dt) override;
+  void gather_and_kick(World& world, double dt) override;
+  void evaluate(World& world) override;
   std::vector<Contact> list(World const& world) const override;
   StoredEnergy energy(World const& world) const override;
   double stable_step(World const& world) const override;
@@ -40,11 +46,13 @@ public:
 
 private:
   double reach(World const& world) const;
-  bool lists_hold(World const& world) const;
+  bool tools_hold(World const& world) const;
+  bool grains_hold(World const& world) const;
   bool try_inner_build(World const& world, double dt);
   void full_build(World& world, double dt);
+  void write_record(Spheres const& grains, std::size_t i);
   void write_records(World const& world);
-  void gather_loads(World& world) const;
+  void gather_loads(World& world, ContactBlock<T> const& block, std::uint32_t i) const;
   void tally_tools(World& world, double dt) const;
   template <class Visit>
   void for_each_contact(World const& world, Visit&& visit) const;
@@ -54,6 +62,7 @@ private:
   ContactLists<T> lists_;
   std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
+  bool grains_hold_ = false;  ///< no grain has left its inner skin since the last drift
   double build_seconds_ = 0.0;
 };
 

@@ -11,44 +11,8 @@ namespace dem {
 
 namespace {
 
-void half_kick_and_drift(World& world, double dt) {
-  Spheres& g = world.grains;
-  std::size_t const n = g.size();
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    g.velocity[i] += (0.5 * dt / g.mass[i]) * g.force[i];
-    g.spin[i] += (0.5 * dt / sphere_inertia(g.mass[i], g.radius[i])) * g.torque[i];
-    g.position[i] += dt * g.velocity[i];
-  }
-}
-
-void second_half_kick(World& world, double dt) {
-  Spheres& g = world.grains;
-  std::size_t const n = g.size();
-#pragma omp parallel for schedule(static)
-  for (std::size_t i = 0; i < n; ++i) {
-    g.velocity[i] += (0.5 * dt / g.mass[i]) * g.force[i];
-    g.spin[i] += (0.5 * dt / sphere_inertia(g.mass[i], g.radius[i])) * g.torque[i];
-  }
-}
-
 void move_tools(std::vector<Tool>& tools, double dt) {
   for (Tool& tool : tools) tool.displacement += dt * tool.velocity;
-}
-
-/// Work of gravity over the drift: it is exact, m g . dx. Summed in chunks of fixed size, so that the sum does not
-/// depend on the number of threads.
-double gravity_power(World const& world) {
-  constexpr std::size_t chunk = 2048;
-  Spheres const& g = world.grains;
-  std::vector<double> part((g.size() + chunk - 1) / chunk, 0.0);
-#pragma omp parallel for schedule(static)
-  for (std::size_t p = 0; p < part.size(); ++p)
-    for (std::size_t i = p * chunk; i < std::min(g.size(), (p + 1) * chunk); ++i)
-      part[p] += g.mass[i] * world.gravity.dot(g.velocity[i]);
-  double power = 0.0;
-  for (double p : part) power += p;
-  return power;
 }
 
 /// A lost number spreads through every contact: look for it in the sum of all positions.
@@ -62,21 +26,17 @@ void refuse_lost_numbers(World const& world) {
 
 }  // namespace
 
-void prepare(World& world) {
-  world.contacts.refresh(world, 1e-7);
-  world.contacts.compute(world, 0.0);
-}
+void prepare(World& world) { world.contacts.evaluate(world); }
 
 void advance(World& world, double dt) {
   EXPECT(dt > 0.0);
-  half_kick_and_drift(world, dt);
-  double const power = gravity_power(world);
-  world.energy.gravity_work += dt * power;
-  if (!std::isfinite(power)) refuse_lost_numbers(world);
+  double const gravity_power = world.contacts.kick_and_drift(world, dt);
+  world.energy.gravity_work += dt * gravity_power;  // exact: m g . dx
+  if (!std::isfinite(gravity_power)) refuse_lost_numbers(world);
   move_tools(world.tools, dt);
   world.contacts.refresh(world, dt);
-  world.contacts.compute(world, dt);
-  second_half_kick(world, dt);
+  world.contacts.sweep(world, dt);
+  world.contacts.gather_and_kick(world, dt);
   world.time += dt;
   ++world.step;
 }
