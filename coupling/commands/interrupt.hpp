@@ -1,0 +1,16 @@
+#pragma once
+
+namespace coupling {
+
+/// While it lives, the first SIGINT or SIGTERM is only noted; a second one ends the program as usual.
+class InterruptWatch {
+public:
+  InterruptWatch();
+  ~InterruptWatch();
+  InterruptWatch(InterruptWatch const&) = delete;
+  InterruptWatch& operator=(InterruptWatch const&) = delete;
+
+  static bool is_requested();
+};
+
+}  // namespace coupling

@@ -1,0 +1,8 @@
+#include "coupling/commands/commands.hpp"
+#include "coupling/verification/verify.hpp"
+
+namespace coupling::commands {
+
+int verify(std::string const& filter) { return verification::run_verification({.filter = filter, .folder = "."}); }
+
+}  // namespace coupling::commands

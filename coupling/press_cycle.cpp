@@ -1,0 +1,185 @@
+#include "coupling/press_cycle.hpp"
+
+#include "coupling/press_guards.hpp"
+#include "coupling/press_measures.hpp"
+#include "dem/step/advance.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling {
+namespace {
+
+// A record or snapshot due at k times its interval is taken at the first step that reaches it but for rounding.
+constexpr double rounding = 1e-9;
+
+// A peak between two records gets its own row once the force has fallen this much below it.
+constexpr double peak_resolution = 0.01;
+
+}  // namespace
+
+PressCycle::PressCycle(Press& press, RunFolder& folder, Progress& progress, StopRequest stop_is_requested)
+    : press_(press), folder_(folder), progress_(progress), stop_is_requested_(std::move(stop_is_requested)) {}
+
+RunEnd PressCycle::run(std::string const& last_stage) {
+  PressProgramme& programme = press_.programme;
+  if (press_.record.size() == 0) begin();
+  while (!programme.is_done()) {
+    std::string const name = programme.stage().name;
+    if (!programme.is_started()) start_stage();
+    while (!programme.stage_has_ended(press_.world)) {
+      step();
+      record_if_due();
+      save_if_due();
+      if (stop_is_requested_()) {
+        keep_clock();
+        folder_.write_restart(press_);
+        return RunEnd::interrupted;
+      }
+    }
+    finish_stage();
+    if (name == last_stage) return RunEnd::stage_reached;
+  }
+  return RunEnd::finished;
+}
+
+void PressCycle::begin() {
+  press_.tally.start_energy = total_energy(press_.world);
+  press_.tally.start_momentum = axial_momentum(press_.world);
+  press_.tally.axial_force = axial_force_on_grains(press_);
+  press_.tally.smallest_gap = punch_gap(press_.world, press_.programme.faces());
+  record();
+  if (press_.setup.output.snapshot_interval > 0.0) folder_.write_snapshot(press_);
+}
+
+void PressCycle::start_stage() {
+  dem::World& world = press_.world;
+  bool const releases = press_.programme.stage().kind == StageKind::release;
+  auto const& tools = press_.programme.stage().tools;
+  bool const releases_die = releases && std::ranges::count(tools, "die") > 0;
+  double const before = releases ? total_energy(world) : 0.0;
+  if (releases_die) measure_compact(press_);
+  press_.programme.start_stage(world);
+  if (!releases) return;
+  // Forces and contacts must forget the tools before anything is measured.
+  dem::prepare(world);
+  press_.tally.released_energy += before - total_energy(world);
+  press_.tally.axial_force = axial_force_on_grains(press_);
+  if (releases_die) measure_released_shape(press_);
+}
+
+void PressCycle::step() {
+  dem::World& world = press_.world;
+  PressTally& tally = press_.tally;
+  double const dt = press_.programme.command_step(world);
+  dem::advance(world, dt);
+  press_.programme.step_done(world);
+  guard_step(world);
+
+  double const force = squeezing_force(tool_named(world, "upper_punch"));
+  tally.max_force = std::max(tally.max_force, force);
+  tally.smallest_gap = std::min(tally.smallest_gap, punch_gap(world, press_.programme.faces()));
+  tally.smallest_step = std::min(tally.smallest_step, dt);
+  // Velocity Verlet gives the grains the mean of the forces at both ends of the step.
+  double const axial = axial_force_on_grains(press_);
+  tally.axial_impulse += 0.5 * dt * (tally.axial_force + axial);
+  tally.axial_force = axial;
+  tally.throughput += dt * std::abs(force);
+}
+
+void PressCycle::record_if_due() {
+  PressTally& tally = press_.tally;
+  double const force = squeezing_force(tool_named(press_.world, "upper_punch"));
+  bool const interval_is_over = press_.world.time >= static_cast<double>(tally.n_records + 1) *
+                                                         press_.setup.output.record_interval * (1.0 - rounding);
+  bool const peak_was_missed = tally.max_force > (1.0 + peak_resolution) * tally.recorded_force &&
+                               force < (1.0 - peak_resolution) * tally.max_force;
+  if (interval_is_over)
+    tally.n_records = static_cast<std::uint64_t>(
+        std::floor(press_.world.time / press_.setup.output.record_interval * (1.0 + rounding)));
+  if (interval_is_over || peak_was_missed) record();
+  if (progress_.is_due(press_.programme.run_progress(press_.world))) show_progress();
+}
+
+void PressCycle::record() {
+  PressTally& tally = press_.tally;
+  bool const is_there = press_.record.size() > 0 && tally.last_record == press_.world.time &&
+                        press_.record.stages().back() == press_.programme.stage().name;
+  if (is_there) return;
+  tally.last_record = press_.world.time;
+  Reading const now = read_press(press_);
+  guard(press_, now);
+  if (now.upper_punch_force > tally.recorded_force) {
+    tally.recorded_force = now.upper_punch_force;
+    tally.imbalance_at_peak = now.axial_imbalance;
+  }
+  tally.max_relative_overlap = std::max(tally.max_relative_overlap, now.max_relative_overlap);
+  tally.max_outside = std::max(tally.max_outside, now.grains_outside);
+  tally.peak_work = std::max(tally.peak_work, std::abs(now.tool_work + now.gravity_work));
+  tally.energy_error = std::max(tally.energy_error, std::abs(now.energy_error));
+  tally.momentum_error =
+      std::max(tally.momentum_error,
+               std::abs(axial_momentum(press_.world) - tally.start_momentum - tally.axial_impulse));
+  if (std::isfinite(tally.smallest_step))
+    tally.step_to_collision =
+        std::max(tally.step_to_collision, step_to_collision_time(press_, press_.programme.present_step()));
+  press_.record.add_row(press_.programme.stage().name, row_of(now));
+}
+
+void PressCycle::save_if_due() {
+  double const interval = press_.setup.output.snapshot_interval;
+  PressTally& tally = press_.tally;
+  if (interval > 0.0 &&
+      press_.world.time >= static_cast<double>(tally.n_snapshots + 1) * interval * (1.0 - rounding)) {
+    tally.n_snapshots = static_cast<std::uint64_t>(std::floor(press_.world.time / interval * (1.0 + rounding)));
+    folder_.write_snapshot(press_);
+  }
+  auto const seconds = std::chrono::duration<double>(Clock::now() - last_restart_).count();
+  if (seconds < press_.setup.output.restart_interval) return;
+  keep_clock();
+  folder_.write_restart(press_);
+  folder_.write_curves(press_);
+  last_restart_ = Clock::now();
+}
+
+void PressCycle::finish_stage() {
+  PressProgramme& programme = press_.programme;
+  std::string const name = programme.stage().name;
+  bool const is_free = programme.stage().kind == StageKind::free;
+  press_.tally.step_to_stable = std::max(press_.tally.step_to_stable,
+                                         programme.present_step() / dem::stable_time_step(press_.world));
+  record();
+  if (is_free) measure_final_shape(press_);
+  programme.finish_stage(press_.world);
+  if (programme.is_done()) conclude();
+  keep_clock();
+  folder_.write_stage_restart(press_, name);
+  folder_.write_curves(press_);
+}
+
+void PressCycle::conclude() {
+  // A press that keeps its die is measured where it ends.
+  if (std::isnan(press_.tally.compact_height)) measure_compact(press_);
+  if (press_.setup.output.snapshot_interval > 0.0) folder_.write_snapshot(press_);
+}
+
+void PressCycle::show_progress() {
+  dem::World const& world = press_.world;
+  PressProgramme const& programme = press_.programme;
+  progress_.show({.stage = programme.stage().name,
+                  .stage_fraction = programme.stage_progress(world),
+                  .run_fraction = programme.run_progress(world),
+                  .time = world.time,
+                  .height = punch_gap(world, programme.faces()),
+                  .force = squeezing_force(tool_named(world, "upper_punch")),
+                  .max_relative_overlap = press_.tally.max_relative_overlap,
+                  .step = world.step});
+}
+
+void PressCycle::keep_clock() {
+  auto const now = Clock::now();
+  press_.tally.wall_seconds += std::chrono::duration<double>(now - clock_).count();
+  clock_ = now;
+}
+
+}  // namespace coupling

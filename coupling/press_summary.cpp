@@ -1,0 +1,68 @@
+#include "coupling/press_guards.hpp"
+#include "coupling/press_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling {
+namespace {
+
+// Tolerances of the project's acceptance table: 1 % of the peak work, 1 % of the upper punch's force.
+constexpr double energy_tolerance = 0.01;
+constexpr double equilibrium_tolerance = 0.01;
+// Momentum is kept to rounding in double precision; single-precision forces lose some 1e-7 of each contact's force.
+constexpr double momentum_tolerance = 1e-3;
+
+Check upper_bound(std::string name, double value, double tolerance) {
+  return {.name = std::move(name), .value = value, .tolerance = tolerance, .ok = value <= tolerance};
+}
+
+/// A ratio whose scale has not come up yet is met by an error of zero only.
+double share(double error, double scale) {
+  if (error == 0.0) return 0.0;
+  return scale > 0.0 ? std::abs(error) / scale : std::abs(error);
+}
+
+std::vector<Check> checks_of(Press const& press) {
+  PressTally const& tally = press.tally;
+  return {upper_bound("energy ledger, error / peak work", share(tally.energy_error, energy_scale(press)), energy_tolerance),
+          upper_bound("axial equilibrium at the peak, imbalance / upper punch force",
+                      share(tally.imbalance_at_peak, tally.recorded_force), equilibrium_tolerance),
+          upper_bound("axial momentum, error / impulse", share(tally.momentum_error, impulse_scale(press)), momentum_tolerance),
+          upper_bound("grains outside the tools", tally.max_outside, 0.0),
+          upper_bound("largest overlap / smaller radius", tally.max_relative_overlap,
+                      press.setup.time_stepping.max_relative_overlap),
+          upper_bound("time step / Hertz collision time", tally.step_to_collision, largest_step_to_collision)};
+}
+
+}  // namespace
+
+Summary summarise(Press const& press) {
+  PressTally const& tally = press.tally;
+  dem::World const& world = press.world;
+  Summary summary;
+  summary.max_force = tally.max_force;
+  summary.porosity = tally.porosity;
+  summary.porosity_core = tally.porosity_core;
+  summary.compact_height = tally.compact_height;
+  summary.springback = (tally.compact_height - tally.smallest_gap) / tally.smallest_gap;
+  summary.shape_quality = static_cast<int>(tally.shape_quality);
+  summary.shape_similarity = tally.shape_similarity;
+  summary.grains = world.grains.size();
+  summary.steps = world.step;
+  summary.time_step = world.step > 0 ? tally.smallest_step : press.programme.present_step();
+  summary.wall_seconds = tally.wall_seconds;
+  summary.particle_steps_per_second =
+      static_cast<double>(world.grains.size()) * static_cast<double>(world.step) / std::max(tally.wall_seconds, 1e-9);
+  summary.mode = press.setup.mode;
+  summary.version = PRESSCHECK_VERSION;
+  summary.checks = checks_of(press);
+  for (dem::Tool const& tool : world.tools) {
+    ToolSummary rigid;
+    rigid.name = tool.name;
+    summary.tools.push_back(rigid);
+  }
+  return summary;
+}
+
+}  // namespace coupling
