@@ -56,7 +56,7 @@ void add_values_of_curve(Source& source, std::optional<ForceCurve> const& curve)
 std::vector<QuantityRow> kinds(Tolerances const& t) {
   auto const row = [](char const* name, char const* words, char const* unit, double tolerance,
                       bool is_relative) {
-    return QuantityRow{name, words, unit, tolerance, is_relative, {}, {}, {}};
+    return QuantityRow{name, words, unit, tolerance, is_relative, {}, {}, {}, {}};
   };
   return {row("max_force", "largest punch force", "N", t.force, true),
           row("smallest_gap", "smallest gap", "m", t.gap, true),
@@ -81,9 +81,12 @@ void fill(QuantityRow& row, std::vector<Source> const& sources) {
   for (std::size_t k = 0; k < sources.size(); ++k) {
     auto const own = value_of(sources[k], row.name);
     row.values.push_back(own.value);
-    auto const difference = k == 0 ? unknown : (own.value - reference.value) / scale;
+    auto const difference = k == 0                         ? unknown
+                            : own.value == reference.value ? 0.0
+                                                           : (own.value - reference.value) / scale;
     row.differences.push_back(difference);
     auto const allowed = std::max(row.tolerance, 2.0 * std::hypot(own.sd, reference.sd) / scale);
+    row.allowed.push_back(std::isfinite(allowed) ? allowed : row.tolerance);
     row.agreement.push_back(!std::isfinite(difference)        ? Agreement::unknown
                             : std::abs(difference) <= allowed ? Agreement::within
                                                               : Agreement::beyond);

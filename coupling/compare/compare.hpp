@@ -14,13 +14,14 @@ enum class Agreement { within, beyond, unknown };
 
 /// One number of all sources.
 struct QuantityRow {
-  std::string name;                 ///< "max_force"
-  std::string words;                ///< "largest punch force"
-  std::string unit;                 ///< SI
-  double tolerance;                 ///< [1] of the reference, or [unit]
-  bool is_relative;                 ///< how tolerance and differences are meant
-  std::vector<double> values;       ///< one a source; NaN where it does not know
-  std::vector<double> differences;  ///< to the reference; NaN for the reference and where not known
+  std::string name;                ///< "max_force"
+  std::string words;               ///< "largest punch force"
+  std::string unit;                ///< SI
+  double tolerance;                ///< [1] of the reference, or [unit]
+  bool is_relative;                ///< how tolerance and differences are meant
+  std::vector<double> values;      ///< one a source; NaN where it does not know
+  std::vector<double> differences; ///< to the reference; NaN for the reference and where not known
+  std::vector<double> allowed; ///< the tolerance, or what the uncertainties grant if that is more
   std::vector<Agreement> agreement; ///< unknown for the reference
 };
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <utility>
 
 namespace coupling {
 namespace {
@@ -39,9 +40,9 @@ std::string difference_text(QuantityRow const& row, double difference) {
                          : fmt::format("{:+.4f}", difference);
 }
 
-std::string tolerance_text(QuantityRow const& row) {
-  return row.is_relative ? fmt::format("{:g} %", 100.0 * row.tolerance)
-                         : fmt::format("{:g}", row.tolerance);
+std::string tolerance_text(QuantityRow const& row, double allowed) {
+  return row.is_relative ? fmt::format("{:.3g} %", 100.0 * allowed)
+                         : fmt::format("{:.3g}", allowed);
 }
 
 /// A line for each source and quantity, so that any number of sources fits a page.
@@ -49,21 +50,22 @@ std::string quantities_html(Comparison const& c) {
   std::vector<std::string> const header = {"Quantity",   "Source",    "Value",
                                            "Difference", "Tolerance", "Verdict"};
   std::vector<TableRow> rows;
-  auto const value = [](QuantityRow const& row, double v) {
-    return std::isfinite(v) ? format_quantity(v, row.unit, 5) : std::string("not known");
-  };
-  for (auto const& row : c.quantities)
+  for (auto const& row : c.quantities) {
+    auto words = row.words; // once, in the first line of its group
     for (std::size_t k = 0; k < c.sources.size(); ++k) {
+      if (!std::isfinite(row.values[k]))
+        continue;
       bool const is_reference = k == 0;
       rows.push_back(
-          {{{is_reference ? row.words : ""},
+          {{{std::exchange(words, "")},
             {c.sources[k].label},
-            {value(row, row.values[k]), true},
+            {format_quantity(row.values[k], row.unit, 5), true},
             {is_reference ? "reference" : difference_text(row, row.differences[k]), true},
-            {is_reference ? "" : tolerance_text(row), true},
+            {is_reference ? "" : tolerance_text(row, row.allowed[k]), true},
             {is_reference ? "" : word(row.agreement[k])}},
            row_class(row.agreement[k])});
     }
+  }
   return table_html(header, rows);
 }
 
@@ -135,6 +137,8 @@ Json quantity_json(QuantityRow const& row) {
     entry["values"].push_back(number(v));
   for (double const v : row.differences)
     entry["differences"].push_back(number(v));
+  for (double const v : row.allowed)
+    entry["allowed"].push_back(number(v));
   for (auto const a : row.agreement)
     entry["ok"].push_back(verdict(a));
   return entry;

@@ -70,7 +70,7 @@ class LineChart {
     const scaled = (list, unit) => list.map(v => finite(v) ? v / unit.factor : null);
     this.series = spec.series.map((s, k) => ({
       ...s, x: scaled(s.x, this.unitX), y: scaled(s.y, this.unitY), colour: s.colour || palette[k % palette.length],
-      dash: s.dash || (k >= palette.length ? '5 3' : ''), shown: true}));
+      dash: s.dash ?? (k >= palette.length ? '5 3' : ''), shown: true}));
     this.bands = (spec.bands || []).map(b => ({...b, from: b.from / this.unitX.factor, to: b.to / this.unitX.factor}));
     this.marks = (spec.marks || []).map(m => ({...m, y: m.y / this.unitY.factor, sd: m.sd / this.unitY.factor}));
     const caption = figure.querySelector('figcaption');

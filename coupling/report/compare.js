@@ -10,7 +10,9 @@ function addOverlay(id, caption, note, x, y, hover) {
   for (const source of facts) {
     const find = name => (source.record.columns.find(c => c.name === name) || {values: null}).values;
     const [xs, ys] = [find(x.column), find(y.column)];
-    if (xs && ys && ys.some(finite)) series.push({name: source.label, x: xs, y: ys});
+    // Dashes from the second on: curves that agree would hide each other.
+    const dash = ['', '6 4', '2 3', '9 3 2 3'][facts.indexOf(source) % 4];
+    if (xs && ys && ys.some(finite)) series.push({name: source.label, x: xs, y: ys, dash});
   }
   const figure = document.getElementById(id);
   if (!series.length) { figure.classList.add('missing'); return; }

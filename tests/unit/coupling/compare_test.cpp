@@ -186,7 +186,9 @@ TEST(Compare, TakesSpringbackFromHeightAndGap) {
 TEST(Compare, GrantsTwoStandardUncertainties) {
   Source a{.label = "a", .record = PressRecord({}), .values = {{"max_force", {1000.0, 30.0}}}};
   Source b{.label = "b", .record = PressRecord({}), .values = {{"max_force", {1099.0, 40.0}}}};
-  EXPECT_TRUE(compare({a, b}).agrees()); // 2 sqrt(30^2 + 40^2) = 100
+  auto const c = compare({a, b});
+  EXPECT_TRUE(c.agrees()); // 2 sqrt(30^2 + 40^2) = 100
+  EXPECT_NEAR(row(c, "max_force").allowed[1], 0.1, 1e-12);
   b.values["max_force"].value = 1101.0;
   EXPECT_FALSE(compare({a, b}).agrees());
 }
