@@ -12,7 +12,8 @@ namespace coupling {
 /// @throws dem::InvalidInput  `file:line: Section/Entry = value: problem (why). Way out?`
 Case read_case(std::filesystem::path const& file, std::span<std::string const> overrides = {});
 
-/// The same from text, for resuming a run from the case kept in its folder. `name` stands for the file in messages.
+/// The same from text, for resuming a run from the case kept in its folder. `name` stands for the
+/// file in messages.
 Case parse_case(std::string const& prm_text, std::filesystem::path const& name,
                 std::span<std::string const> overrides = {});
 
@@ -21,4 +22,4 @@ enum class DefaultsFormat { prm, json };
 /// Every entry with default, unit, allowed range and description.
 std::string describe_entries(DefaultsFormat format);
 
-}  // namespace coupling
+} // namespace coupling

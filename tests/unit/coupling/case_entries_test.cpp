@@ -1,0 +1,177 @@
+#include "coupling/case_file.hpp"
+
+#include "tests/unit/coupling/case_equality.hpp"
+
+#include <gtest/gtest.h>
+
+// Each entry, moved away from its default, arrives where the Case keeps it and survives the
+// resolved text.
+namespace coupling {
+namespace {
+
+using Overrides = std::vector<std::string>;
+
+Case seed(Overrides const& overrides = {}) {
+  return parse_case("set Mode = rigid\n", "case.prm", overrides);
+}
+
+// Every entry away from its default, spread over cases that use it.
+Overrides const powder_and_tools = {
+    "Title=Versuch \u00e4 <b>",
+    "Powder/Total mass=0.5 g",
+    "Powder/Fill height=15 mm",
+    "Powder/Packing seed=18",
+    "Powder/Settle time=0.1 s",
+    "Powder/Component 1/Name=spinel",
+    "Powder/Component 1/Mass fraction=50 %",
+    "Powder/Component 1/Density=3.6 g/cm^3",
+    "Powder/Component 1/Young's modulus=1 GPa",
+    "Powder/Component 1/Poisson's ratio=0.2",
+    "Powder/Component 1/Size classes=0.7 mm: 40 %, 0.9 mm: 60 %",
+    "Powder/Component 2/Name=",
+    "Powder/Component 5/Name=silica",
+    "Powder/Component 5/Mass fraction=0.5",
+    "Tooling/Bore diameter=11 mm",
+    "Tooling/Die height=30 mm",
+    "Tooling/Wall thickness=8 mm",
+    "Tooling/Punch length=7 mm",
+    "Tooling/Chordal tolerance=2 um",
+    "Tooling/STL scale=1 mm",
+    "Tooling/Density=7800 kg/m^3",
+    "Tooling/Young's modulus=210 GPa",
+    "Tooling/Poisson's ratio=0.3",
+    "Time stepping/Rayleigh fraction=0.05",
+    "Time stepping/Adaptive=yes",
+    "Time stepping/Safety=0.7",
+    "Time stepping/Largest relative overlap=0.5",
+    "Time stepping/Largest energy error=5 %",
+    "Output/Record interval=1 ms",
+    "Output/Snapshot interval=0 s",
+    "Output/Restart interval=1 min",
+    "Output/Core diameter fraction=50 %",
+    "Gravity/x=1 m/s^2",
+    "Gravity/y=2 m/s^2",
+    "Gravity/z=-3 m/s^2",
+};
+
+Overrides const laws_and_stages = {
+    "Contact/Preset=custom",
+    "Contact/Normal law=hooke",
+    "Contact/Cohesion law=sjkr",
+    "Contact/Tangential law=hooke_spring",
+    "Contact/Rolling law=constant_torque",
+    "Contact/Friction limit=elastic",
+    "Contact/Tangential damping=off",
+    "Contact/Limit force=on",
+    "Contact/Characteristic velocity=1 m/s",
+    "Contact/Precision=double",
+    "Contact/Particle-particle/Coefficient of restitution=0.4",
+    "Contact/Particle-particle/Coefficient of static friction=0.3",
+    "Contact/Particle-particle/Coefficient of rolling friction=0.01",
+    "Contact/Particle-particle/Cohesion energy density=2e5",
+    "Contact/Particle-wall/Coefficient of restitution=0.6",
+    "Contact/Particle-wall/Coefficient of static friction=0.1",
+    "Contact/Particle-wall/Coefficient of rolling friction=0.02",
+    "Contact/Particle-wall/Cohesion energy density=1e5 J/m^3",
+    "Tooling/Walls=analytic",
+    "Press programme/Stage 1/Name=approach",
+    "Press programme/Stage 1/Tools=upper_punch, lower_punch",
+    "Press programme/Stage 1/Speed=-1 mm/min",
+    "Press programme/Stage 1/Until=time",
+    "Press programme/Stage 1/Duration=3 s",
+    "Press programme/Stage 2/Kind=none",
+    "Press programme/Stage 3/Kind=move",
+    "Press programme/Stage 3/Tools=upper_punch",
+    "Press programme/Stage 3/Speed=-0.1 m/s",
+    "Press programme/Stage 3/Until=force",
+    "Press programme/Stage 3/Force=25.1 kN",
+    "Press programme/Stage 3/Duration=1 min",
+    "Press programme/Stage 4/Kind=hold",
+    "Press programme/Stage 4/Tools=upper_punch",
+    "Press programme/Stage 4/Servo=true",
+    "Press programme/Stage 4/Force=10 kN",
+    "Press programme/Stage 12/Kind=release",
+    "Press programme/Stage 12/Tools=die",
+};
+
+TEST(EveryEntry, OfPowderAndToolsReachesTheCase) {
+  Case const it = seed(powder_and_tools);
+  EXPECT_EQ(it.title, "Versuch \u00e4 <b>");
+  EXPECT_EQ(it.powder.total_mass, 0.5e-3);
+  EXPECT_EQ(it.powder.fill_height, 15e-3);
+  EXPECT_EQ(it.powder.seed, 18u);
+  EXPECT_EQ(it.powder.settle_time, 0.1);
+  ASSERT_EQ(it.powder.components.size(), 2u);
+  expect_equal(it.powder.components[0].material, {"spinel", 3600.0, 1e9, 0.2});
+  EXPECT_EQ(it.powder.components[0].mass_fraction, 0.5);
+  ASSERT_EQ(it.powder.components[0].sizes.size(), 2u);
+  EXPECT_EQ(it.powder.components[0].sizes[1].diameter, 0.9e-3);
+  EXPECT_EQ(it.powder.components[0].sizes[1].mass_fraction, 0.6);
+  EXPECT_EQ(it.powder.components[1].material.name, "silica");
+  Tooling const& tooling = it.tooling;
+  EXPECT_EQ(tooling.bore_diameter, 11e-3);
+  EXPECT_EQ(tooling.die_height, 30e-3);
+  EXPECT_EQ(tooling.wall_thickness, 8e-3);
+  EXPECT_EQ(tooling.punch_length, 7e-3);
+  EXPECT_EQ(tooling.chordal_tolerance, 2e-6);
+  EXPECT_EQ(tooling.stl_scale, 1e-3);
+  expect_equal(tooling.material, {"wall", 7800.0, 210e9, 0.3});
+  expect_equal(it.time_stepping, {0.05, true, 0.7, 0.5, 0.05});
+  expect_equal(it.output, {1e-3, 0.0, 60.0, 0.5});
+  EXPECT_EQ(it.gravity, dem::Vec3(1.0, 2.0, -3.0));
+}
+
+TEST(EveryEntry, OfLawsAndStagesReachesTheCase) {
+  Case const it = seed(laws_and_stages);
+  expect_equal(it.contacts.law, {"hooke", "sjkr", "hooke_spring", "constant_torque", "elastic",
+                                 false, true, 1.0, dem::Precision::full});
+  expect_equal(it.contacts.grain_grain, {0.4, 0.3, 0.01, 2e5, 0.0});
+  expect_equal(it.contacts.grain_wall, {0.6, 0.1, 0.02, 1e5, 0.0});
+  EXPECT_EQ(it.tooling.walls, WallKind::analytic);
+  ASSERT_EQ(it.stages.size(), 4u);
+  expect_equal(it.stages[0], {.name = "approach",
+                              .kind = StageKind::move,
+                              .tools = {"upper_punch", "lower_punch"},
+                              .speed = -1e-3 / 60.0,
+                              .until = Limit::time,
+                              .duration = 3.0});
+  expect_equal(it.stages[1], {.name = "release",
+                              .kind = StageKind::move,
+                              .tools = {"upper_punch"},
+                              .speed = -0.1,
+                              .until = Limit::force,
+                              .duration = 60.0,
+                              .force = 25100.0});
+  expect_equal(it.stages[2], {.name = "relaxation",
+                              .kind = StageKind::hold,
+                              .tools = {"upper_punch"},
+                              .duration = 0.05,
+                              .force = 1e4,
+                              .servo = true});
+  expect_equal(it.stages[3], {.name = "stage 12", .kind = StageKind::release, .tools = {"die"}});
+}
+
+TEST(EveryEntry, OfJkrReachesTheCase) {
+  Case const it = seed({"Contact/Preset=custom", "Contact/Normal law=jkr",
+                        "Contact/Cohesion law=none", "Contact/Tangential law=frictionless",
+                        "Contact/Particle-particle/Surface energy=50 mJ/m^2",
+                        "Contact/Particle-wall/Surface energy=0.02"});
+  EXPECT_EQ(it.contacts.law.normal, "jkr");
+  EXPECT_EQ(it.contacts.law.tangential, "frictionless");
+  EXPECT_EQ(it.contacts.grain_grain.surface_energy, 0.05);
+  EXPECT_EQ(it.contacts.grain_wall.surface_energy, 0.02);
+  EXPECT_EQ(it.contacts.grain_grain.cohesion_energy_density, 0.0)
+      << "nobody asked for the default of the seed";
+}
+
+TEST(ResolvedCase, IsReadBackToTheSameCase) {
+  for (Overrides const& overrides : {Overrides{}, powder_and_tools, laws_and_stages}) {
+    Case const it = seed(overrides);
+    Case const again = parse_case(it.resolved_text, "case.resolved.prm");
+    expect_equal(again, it);
+    EXPECT_EQ(again.resolved_text, it.resolved_text);
+  }
+}
+
+} // namespace
+} // namespace coupling

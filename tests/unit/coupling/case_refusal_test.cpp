@@ -1,0 +1,224 @@
+#include "coupling/case_file.hpp"
+
+#include "dem/expect.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+// What a case says may be wrong in itself or against the rest of the case: each refusal by its
+// whole message.
+namespace coupling {
+namespace {
+
+/// The message with which a case with these overrides is refused, without the place `--set: `.
+std::string refusal(std::vector<std::string> const& overrides) {
+  try {
+    parse_case("set Mode = rigid\n", "case.prm", overrides);
+    return "accepted";
+  } catch (dem::InvalidInput const& problem) {
+    std::string const message = problem.what();
+    return message.starts_with("--set: ") ? message.substr(7) : message;
+  }
+}
+
+TEST(Units, OfAnotherDimensionAreRefused) {
+  EXPECT_EQ(refusal({"Powder/Total mass=9.13 mm"}),
+            "Powder/Total mass = 9.13 mm: has a unit that does not fit (a mass is needed). Write "
+            "it in kg, g, mg?");
+  EXPECT_EQ(refusal({"Powder/Component 2/Size classes=0.5 g: 100 %"}),
+            "Powder/Component 2/Size classes = 0.5 g: 100 %: in class '0.5 g: 100 %': has a unit "
+            "that does not fit (a "
+            "length is needed). Write it in m, mm, um?");
+}
+
+TEST(Units, ThatWereForgottenAreSuspected) {
+  EXPECT_EQ(refusal({"Powder/Component 1/Young's modulus=250 Pa"}),
+            "Powder/Component 1/Young's modulus = 250 Pa: is outside the allowed range (>= 100000 "
+            "Pa, <= 2000000000000 "
+            "Pa). Did you mean 250 MPa?");
+  EXPECT_EQ(refusal({"Tooling/Bore diameter=22.05"}),
+            "Tooling/Bore diameter = 22.05: is outside the allowed range (>= 0.0001 m, <= 0.5 m). "
+            "Did you mean 22.05 mm?");
+  EXPECT_EQ(refusal({"Tooling/Bore diameter=22.05 um"}),
+            "Tooling/Bore diameter = 22.05 um: is outside the allowed range (>= 0.0001 m, <= 0.5 "
+            "m). Did you mean 22.05 mm?");
+  EXPECT_EQ(refusal({"Powder/Component 2/Size classes=0.5: 100 %"}),
+            "Powder/Component 2/Size classes = 0.5: 100 %: has a diameter 0.5 outside the allowed "
+            "range (> 0 m, <= 0.1 m). "
+            "Did you mean mm?");
+  EXPECT_EQ(refusal({"Powder/Component 2/Size classes=0.5 mm: 100"}),
+            "Powder/Component 2/Size classes = 0.5 mm: 100: has a share 100 that is not above 0 "
+            "and up to 100 %. Is the "
+            "percent sign missing?");
+}
+
+TEST(Values, OutOfRangeAreRefused) {
+  EXPECT_EQ(refusal({"Contact/Particle-wall/Coefficient of restitution=0"}),
+            "Contact/Particle-wall/Coefficient of restitution = 0: is outside the allowed range (> "
+            "0, <= 1). Choose a "
+            "value inside it?");
+  EXPECT_EQ(refusal({"Contact/Particle-particle/Coefficient of restitution=1.01"}),
+            "Contact/Particle-particle/Coefficient of restitution = 1.01: is outside the allowed "
+            "range (> 0, <= 1). Choose "
+            "a value inside it?");
+  EXPECT_EQ(refusal({"Powder/Component 1/Poisson's ratio=0.5"}),
+            "Powder/Component 1/Poisson's ratio = 0.5: is outside the allowed range (> -1, < 0.5). "
+            "Choose a value inside it?");
+  EXPECT_EQ(refusal({"Powder/Total mass=-9 g"}),
+            "Powder/Total mass = -9 g: is outside the allowed range (>= 1e-12 kg, <= 1000 kg). "
+            "Choose a value inside it?");
+  EXPECT_EQ(refusal({"Time stepping/Rayleigh fraction=nan"}),
+            "Time stepping/Rayleigh fraction = nan: is no finite number (a ratio is needed). Give "
+            "it a value?");
+  EXPECT_EQ(refusal({"Powder/Packing seed=-1"}),
+            "Powder/Packing seed = -1: is no whole number in the allowed range (>= 0, <= "
+            "9000000000000000). Write one such "
+            "as 1?");
+  EXPECT_EQ(refusal({"Time stepping/Adaptive=maybe"}),
+            "Time stepping/Adaptive = maybe: is neither true nor false. Write one of them?");
+  EXPECT_EQ(refusal({"Tooling/Walls=surfaces"}), "Tooling/Walls = surfaces: is none of the choices "
+                                                 "(surface | analytic). Did you mean 'surface'?");
+  EXPECT_EQ(refusal({"Title=" + std::string(201, 'x')}),
+            "Title = " + std::string(80, 'x') + "...: is longer than 200 bytes. Shorten it?");
+}
+
+TEST(Mode, OtherThanRigidIsDeclaredAndKindlyRefused) {
+  EXPECT_EQ(refusal({"Mode=two_way_implicit"}),
+            "Mode = two_way_implicit: needs deformable tools (this version presses with "
+            "rigid ones only). Choose Mode = rigid?");
+  EXPECT_EQ(refusal({"Mode=oneway"}), "Mode = oneway: is none of the choices (rigid | one_way | "
+                                      "two_way_explicit | two_way_secant | two_way_implicit). "
+                                      "Did you mean 'one_way'?");
+}
+
+TEST(Shares, ThatDoNotMakeAWholeAreRefused) {
+  EXPECT_EQ(refusal({"Powder/Component 1/Mass fraction=90 %"}),
+            "case.prm: Powder/Component 2/Mass fraction = 20 % (default): makes the mass fractions "
+            "sum to 110 % (all of the "
+            "powder is 100 %). Change one?");
+  EXPECT_EQ(refusal({"Powder/Component 1/Size classes=0.5 mm: 35 %, 1 mm: 60 %"}),
+            "Powder/Component 1/Size classes = 0.5 mm: 35 %, 1 mm: 60 %: has shares that sum to 95 "
+            "% (all of the component "
+            "is 100 %). Change one?");
+  EXPECT_EQ(refusal({"Powder/Component 3/Name=silica"}),
+            "case.prm: Powder/Component 3/Mass fraction = 0 % (default): leaves a named component "
+            "without mass. Empty its "
+            "Name?");
+  EXPECT_EQ(refusal({"Powder/Component 1/Name=", "Powder/Component 2/Name="}),
+            "Powder/Component 1/Name = : leaves the powder without a component. Name one?");
+  EXPECT_EQ(refusal({"Powder/Component 1/Size classes="}),
+            "Powder/Component 1/Size classes = : holds no size class (a component has at least "
+            "one). Write 0.5 mm: 100 %?");
+  EXPECT_EQ(refusal({"Powder/Component 1/Size classes=0.5 mm"}),
+            "Powder/Component 1/Size classes = 0.5 mm: has a class '0.5 mm' without a share (a "
+            "class is DIAMETER: SHARE). "
+            "Write 0.5 mm: 100 %?");
+}
+
+TEST(Powder, ThatCannotFitTheDieIsRefused) {
+  // 20 g: (16 g / 3500 + 4 g / 3000) / (pi/4 22.05^2 20 mm^3) = 5.905 cm^3 / 7.637 cm^3 = 77.3 %;
+  // at 40 % the cylinder is 5.905 / (0.4 pi/4 2.205^2) = 3.866 cm high
+  EXPECT_EQ(refusal({"Powder/Total mass=20 g"}),
+            "Powder/Total mass = 20 g: fills 77.3 % of the cylinder with solid (random filling "
+            "reaches about 40 %). Fill "
+            "height and Die height = 39 mm?");
+  EXPECT_EQ(
+      refusal({"Powder/Total mass=20 g", "Powder/Fill height=39 mm", "Tooling/Die height=39 mm"}),
+      "accepted");
+  EXPECT_EQ(refusal({"Powder/Fill height=21 mm"}),
+            "Powder/Fill height = 21 mm: is above the die (Tooling/Die height = 20 mm). Make the "
+            "die as high?");
+  EXPECT_EQ(refusal({"Powder/Component 2/Size classes=23 mm: 100 %"}),
+            "Powder/Component 2/Size classes = 23 mm: 100 %: has grains of 23 mm that do not fit "
+            "(bore 22.1 mm, fill height "
+            "20 mm). Is the unit right?");
+}
+
+TEST(Powder, WithoutAWholeGrainOrWithTooManyIsRefused) {
+  // 3 mm MgO: 3500 kg/m^3 pi/6 (3 mm)^3 = 49.48 mg; 0.1 g 0.8 0.15 = 12 mg
+  EXPECT_EQ(
+      refusal({"Powder/Total mass=0.1 g"}),
+      "case.prm: Powder/Component 1/Size classes = 0.5 mm: 35 %, 1 mm: 25 %, 2 mm: 25 %, 3 mm: 15 "
+      "% (default): asks "
+      "for 0.243 grains of 3 mm (one weighs 49.5 mg). Raise the total mass or drop the class?");
+  // 1.826 g / (3000 kg/m^3 pi/6 (1 um)^3) = 1.16e12
+  EXPECT_EQ(refusal({"Powder/Component 2/Size classes=1 um: 100 %"}),
+            "Powder/Component 2/Size classes = 1 um: 100 %: asks for 1.16e+12 grains (limit "
+            "5e+07). Is the unit right?");
+}
+
+TEST(Powder, FromAFileThatIsNotThereIsRefused) {
+  std::string const message = refusal({"Powder/Fill method=file", "Powder/Fill file=no/such.csv"});
+  EXPECT_TRUE(message.starts_with("Powder/Fill file = no/such.csv: does not exist (looked for /"))
+      << message;
+  EXPECT_TRUE(message.ends_with("/no/such.csv; paths start at the case file). Is it misspelt?"))
+      << message;
+  EXPECT_EQ(refusal({"Powder/Fill file=grains.csv"}),
+            "Powder/Fill file = grains.csv: is not used (Fill method = random makes its own "
+            "packing). Remove it?");
+  EXPECT_EQ(refusal({"Powder/Fill method=file"}),
+            "case.prm: Powder/Fill file =  (default): names no file (Fill method = file reads "
+            "one). Name it?");
+}
+
+TEST(Tooling, FilesThatAreMissingOrUnusedAreRefused) {
+  std::string const message = refusal({"Tooling/Die file=die.stl"});
+  EXPECT_TRUE(message.starts_with("Tooling/Die file = die.stl: does not exist")) << message;
+  EXPECT_EQ(refusal({"Tooling/Chordal tolerance=2 mm"}),
+            "Tooling/Chordal tolerance = 2 mm: is too coarse for the bore (22.1 mm). Take less "
+            "than a twentieth of it?");
+}
+
+TEST(Preset, AndALawThatContradictsItAreRefused) {
+  EXPECT_EQ(refusal({"Contact/Cohesion law=sjkr"}),
+            "Contact/Cohesion law = sjkr: contradicts Contact/Preset = liggghts (its law is "
+            "sjkr2). Set Contact/Preset = "
+            "custom?");
+  EXPECT_EQ(refusal({"Contact/Preset=custom"}),
+            "case.prm: Contact/Normal law = preset (default): names no law (Contact/Preset = "
+            "custom leaves the choice to the "
+            "case). Name one?");
+  EXPECT_EQ(refusal({"Contact/Preset=custom", "Contact/Normal law=jkr", "Contact/Cohesion law=sjkr",
+                     "Contact/Tangential law=mindlin"}),
+            "Contact/Cohesion law = sjkr: doubles the adhesion of Contact/Normal law = jkr. Set "
+            "Cohesion law = none?");
+}
+
+TEST(Coefficients, ThatNoLawUsesAreRefused) {
+  EXPECT_EQ(refusal({"Contact/Particle-particle/Coefficient of rolling friction=0.1"}),
+            "Contact/Particle-particle/Coefficient of rolling friction = 0.1: is not used "
+            "(Contact/Rolling law = none). "
+            "Remove it?");
+  EXPECT_EQ(refusal({"Contact/Particle-wall/Surface energy=0.1"}),
+            "Contact/Particle-wall/Surface energy = 0.1: is not used (Contact/Normal law = hertz; "
+            "jkr uses it). Remove it?");
+  EXPECT_EQ(refusal({"Contact/Particle-wall/Surface energy=0 J/m^2"}), "accepted");
+  // (3 pi k / E*)^2 with E* = 250 MPa / (2 (1 - 0.25^2)) = 133.3 MPa and k = 5e7: (3.534)^2 = 12.5
+  EXPECT_EQ(refusal({"Contact/Particle-particle/Cohesion energy density=5e7 J/m^3"}),
+            "Contact/Particle-particle/Cohesion energy density = 5e7 J/m^3: draws MgO grains "
+            "together by 12.5 effective "
+            "radii at rest (limit 1). Is the unit right, or the modulus too low?");
+}
+
+TEST(Names, ThatAreUnknownAreRefusedWithTheNearest) {
+  EXPECT_EQ(refusal({"Powder/Totl mass=1 g"}),
+            "Powder/Totl mass = 1 g: is no entry of a case. Did you mean 'Powder/Total mass'?");
+  EXPECT_EQ(refusal({"powder/total mass=1 g"}),
+            "powder/total mass = 1 g: is no entry of a case. Did you mean 'Powder/Total mass'?");
+  EXPECT_EQ(refusal({"Total mass=1 g"}),
+            "Total mass = 1 g: is no entry of a case. Did you mean 'Powder/Total mass'?");
+  EXPECT_EQ(refusal({"Frobnication=1"}),
+            "Frobnication = 1: is no entry of a case. See all entries with: presscheck defaults?");
+  EXPECT_EQ(refusal({"Powder=1"}),
+            "Powder = 1: is a section, not an entry. Name an entry below it?");
+  EXPECT_EQ(refusal({"Powder/Total mass"}), "--set 'Powder/Total mass': has no '=' (an override is "
+                                            "'Section/Entry=value'). Add the value?");
+  EXPECT_EQ(refusal({"Title=a # b"}),
+            "Title = a # b: holds '#', a tab, a line end, or a backslash at its end (a .prm file "
+            "could not hold it). Leave it out?");
+}
+
+} // namespace
+} // namespace coupling
