@@ -7,8 +7,9 @@
 
 /// The eight particle-impact benchmarks of Chung and Ooi, Granular Matter 13 (2011) 643. Material data and the
 /// digitised curves as used by Yade's and Kratos' benchmark suites. A rigid plane is one a thousand times as stiff.
-/// LIGGGHTS' clipping is on in the oblique tests: the impulse of sliding friction is then exactly mu times the
-/// normal impulse, and closed forms hold at any restitution.
+/// In the oblique tests attraction is clipped and the tangential dashpot is off: the impulse of sliding friction is
+/// then mu times the normal impulse at any restitution. (The dashpot acts while the spring is below Coulomb's limit
+/// and its sum with the spring is not clipped: at e = 0.5 it adds 9 % to the impulse of tests 6 and 8.)
 namespace coupling::verification {
 namespace {
 
@@ -35,6 +36,7 @@ ImpactSetup setup_of(Substance const& s, double radius, double restitution, doub
   setup.recipe.grain_wall = setup.recipe.grain_grain;
   setup.recipe.law.cohesion = "none";
   setup.recipe.law.clip_attractive_damping = true;
+  setup.recipe.law.tangential_damping = false;
   setup.recipe.law.precision = dem::Precision::full;
   setup.steps = 2000;
   return setup;
@@ -155,12 +157,14 @@ std::vector<Benchmark> test_5() {
 
 /// Tests 6 and 8: a spinning sphere falls on a plane, or on one of five times its radius and a thousand times its
 /// density; sliding where tan(incidence) > 7/2 mu (1 + e). beta = -v_s'/v_s of the contact point.
+/// A rigid sphere slides at once; this one must first stretch its spring to mu F/k_t, over a time as 1/incidence, and
+/// so misses a share of the impulse that was measured as 0.0205/incidence and of beta's 2.17/incidence in proportion.
 std::vector<Benchmark> tests_6_and_8() {
   std::vector<Benchmark> rows;
   double const R = 0.1, mu = 0.4, vn = 0.2;
   for (bool const on_sphere : {false, true}) {
     for (Substance const& s : {aluminium, nylon}) {
-      for (double const incidence : {3.0, 5.0, 10.0}) {
+      for (double const incidence : {10.0, 20.0, 40.0}) {
         ImpactSetup setup = setup_of(s, R, 0.5, mu);
         if (on_sphere) setup.other_radius = 5.0 * R, setup.other_mass_factor = 1000.0;
         setup.velocity = dem::Vec3(0, 0, -vn);
@@ -169,10 +173,10 @@ std::vector<Benchmark> tests_6_and_8() {
         double const surface = found.velocity.x() - R * found.spin.y();
         SlidingImpact const exact{mu, vn + found.velocity.z(), R};
         rows.push_back(compare(label(on_sphere ? "8" : "6", s, "/incidence_%.0f/tangential_restitution", incidence),
-                               exact.surface_loss() / (incidence * vn) - 1.0, -surface / (incidence * vn), 3e-3,
-                               rigid_body));
+                               exact.surface_loss() / (incidence * vn) - 1.0, -surface / (incidence * vn),
+                               0.08 / (incidence * incidence), rigid_body));
         rows.push_back(compare(label(on_sphere ? "8" : "6", s, "/incidence_%.0f/centre_speed", incidence),
-                               -exact.centre_loss(), found.velocity.x(), 1e-3, rigid_body));
+                               -exact.centre_loss(), found.velocity.x(), 0.03 / incidence, rigid_body));
       }
     }
   }

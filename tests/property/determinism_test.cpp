@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <map>
+#include <ostream>
 #include <string>
 #include <type_traits>
 
@@ -17,6 +18,8 @@ struct Flavour {
   std::string name;
   std::string normal;
   dem::Precision precision;
+
+  friend std::ostream& operator<<(std::ostream& out, Flavour const& f) { return out << f.name; }
 };
 
 build::Recipe recipe(Flavour const& flavour) {

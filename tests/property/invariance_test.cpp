@@ -179,9 +179,9 @@ TEST(Invariance, OfARotatedPress) {
   Orthogonal const turn{Eigen::AngleAxisd(0.7, Vec3(2, -1, 2).normalized()).toRotationMatrix()};
   dem::World a = cloud(), b = cloud();
   transform(b, turn);
-  Vec3 const drive(0.05, 0.02, 0.2);
-  build::add_plane(a, nullptr, Vec3(0, 0, 0.2e-3), Vec3::UnitZ(), drive, 20e-3);
-  build::add_plane(b, nullptr, turn.point(Vec3(0, 0, 0.2e-3)), turn.polar(Vec3::UnitZ()), turn.polar(drive), 20e-3);
+  Vec3 const drive(0.05, 0.02, 2.0);
+  build::add_plane(a, nullptr, Vec3(0, 0, 0.1e-3), Vec3::UnitZ(), drive, 20e-3);
+  build::add_plane(b, nullptr, turn.point(Vec3(0, 0, 0.1e-3)), turn.polar(Vec3::UnitZ()), turn.polar(drive), 20e-3);
   run(a);
   run(b);
   expect_same(a, b, turn.inverse(), rounding);

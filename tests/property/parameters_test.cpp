@@ -48,14 +48,18 @@ std::vector<Knob> knobs() {
       {"grain_wall_rolling_friction", [](R r) { r.grain_wall.rolling_friction *= 2.0; }, use_rolling},
       {"grain_wall_cohesion", [](R r) { r.grain_wall.cohesion_energy_density *= 1.1; }},
       {"grain_wall_surface_energy", [](R r) { r.grain_wall.surface_energy *= 1.1; }, use_jkr},
-      {"normal_hooke", [](R r) { r.law.normal = "hooke"; }},
-      {"normal_jkr", [](R r) { r.law.normal = "jkr"; }},
+      {"normal_hooke", use_hooke},
+      {"normal_jkr", use_jkr, [](R r) { r.law.cohesion = "none"; }},
       {"cohesion_none", [](R r) { r.law.cohesion = "none"; }},
       {"cohesion_sjkr", [](R r) { r.law.cohesion = "sjkr"; }},
       {"cohesion_linear_reduced", [](R r) { r.law.cohesion = "linear_reduced"; }},
       {"cohesion_linear_hertz_circle", [](R r) { r.law.cohesion = "linear_hertz_circle"; }},
       {"tangential_frictionless", [](R r) { r.law.tangential = "frictionless"; }},
-      {"tangential_hooke_spring", [](R r) { r.law.tangential = "hooke_spring"; }},
+      {"tangential_hooke_spring", use_hooke,
+       [](R r) {
+         r.law.normal = "hooke";
+         r.law.tangential = "frictionless";
+       }},
       {"rolling_constant_torque", use_rolling},
       {"friction_limit", [](R r) { r.law.friction_limit = "elastic"; }},
       {"tangential_damping", [](R r) { r.law.tangential_damping = false; }},
