@@ -1,11 +1,12 @@
 #include "dem/contact/contact_store.hpp"
 
 #include "dem/contact/list_filter.hpp"
+#include "dem/contact/stable_step.hpp"
 #include "dem/expect.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <tuple>
 
 /// What is asked of the contacts between steps: listing, energies, the stable step, capture and restore. All of it in
 /// full precision and one contact at a time.
@@ -128,31 +129,26 @@ StoredEnergy TypedStore<T>::energy(World const& world) const {
   return total;
 }
 
-/// Gershgorin's bound grain by grain: a grain's stiffness row sums to at most twice its contacts' stiffness; the
-/// tangential springs act on spin with the lever R, and R^2/I = 5/(2 m).
 template <class T>
 double TypedStore<T>::stable_step(World const& world) const {
-  Spheres const& g = world.grains;
-  std::vector<double> stiffness(g.size(), 0.0), dashpot(g.size(), 0.0);
+  std::vector<LinearContact> contacts;
   for_each_contact(world, [&](Contact const& c, ContactInput<double> const& in, double const* constants,
                               ContactMemory<double> const&) {
-    double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
+    Vec3 const separation = vec3(in.separation);
+    double const overlap = in.square_gap / (in.radius_sum + separation.norm());
     if (overlap <= 0.0) return;
     auto const s = kernel_.stiffness(constants, overlap);
-    double const k = std::max(s.normal, 3.5 * s.tangential);
-    double const d = std::max(s.normal_dashpot, 3.5 * s.tangential_dashpot);
-    double const share = c.j == Contact::none ? 1.0 : 2.0;  // a tool does not swing with the grain
-    stiffness[c.i] += share * k, dashpot[c.i] += share * d;
-    if (c.j != Contact::none) stiffness[c.j] += share * k, dashpot[c.j] += share * d;
+    contacts.push_back({.i = c.i,
+                        .j = c.j,
+                        .normal = separation.normalized(),
+                        .lever_i = in.radius_i - 0.5 * overlap,
+                        .lever_j = in.radius_j - 0.5 * overlap,
+                        .normal_stiffness = s.normal,
+                        .tangential_stiffness = s.tangential,
+                        .normal_dashpot = s.normal_dashpot,
+                        .tangential_dashpot = s.tangential_dashpot});
   });
-  double step = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < g.size(); ++i) {
-    if (stiffness[i] <= 0.0) continue;
-    double const w = std::sqrt(stiffness[i] / g.mass[i]);
-    double const z = dashpot[i] / (2.0 * g.mass[i] * w);
-    step = std::min(step, 2.0 / w * (std::sqrt(1.0 + z * z) - z));
-  }
-  return step;
+  return dem::stable_step(world.grains, contacts);
 }
 
 template <class T>

@@ -20,8 +20,7 @@ void advance(World& world, double dt);
 /// Source: Li, Xu and Thornton, Powder Technol. 160 (2005) 219 (the seed's definition).
 double rayleigh_time(World const& world);
 
-/// Bound on a stable step [s] from the present contact stiffness and dashpots, grain by grain (Gershgorin):
-///   w^2 <= 2 sum k / m,  dt = (2/w)(sqrt(1 + z^2) - z),  z = sum c / (2 m w)
+/// Largest stable step [s] of the present contacts, springs and dashpots (see dem/contact/stable_step.hpp).
 double stable_time_step(World const& world);
 
 }  // namespace dem

@@ -61,7 +61,7 @@ Eigen::Vector2d newton_step(CurvedTriangle const& triangle, Vec3 const& weights,
 
 std::optional<ClosestPoint> closest_inside(CurvedTriangle const& triangle, Vec3 const& centre,
                                            Vec3 weights) {
-  constexpr double converged = 1e-13;
+  constexpr double converged = 1e-9; // the step after it would be its square
   constexpr double stalled =
       1e-7; // a needle's rounding noise; the point itself is as good as its coordinates
   double size = 1.0;
@@ -126,7 +126,7 @@ double closest_on_arc(Vec3 const& a, Vec3 const& b, Vec3 const& bulge, Vec3 cons
         std::clamp(s - slope / (curvature > 0.1 * length2 ? curvature : length2), 0.0, 1.0);
     double const step = std::abs(next - s);
     s = next;
-    if (step < 1e-15)
+    if (step < 1e-9) // the step after it would be its square
       break;
   }
   return s;

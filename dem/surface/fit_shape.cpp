@@ -38,7 +38,7 @@ Cloud gather(TriangleSurface const& surface, std::span<std::uint32_t const> tria
   }
   cloud.centroid /= total;
   std::ranges::sort(rows);
-  rows.erase(std::ranges::unique(rows).begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
   Vec3 low = surface.vertices[rows.front()], high = low;
   for (auto const row : rows) {
     cloud.corners.push_back(surface.vertices[row]);
@@ -124,7 +124,7 @@ std::size_t n_generators(Cloud const& cloud, Cylinder const& cylinder) {
   }
   std::ranges::sort(angles);
   auto const same = [](double a, double b) { return b - a < 1e-4; };
-  angles.erase(std::ranges::unique(angles, same).begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end(), same), angles.end());
   return angles.size();
 }
 
