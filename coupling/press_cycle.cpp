@@ -14,7 +14,7 @@ namespace {
 constexpr double rounding = 1e-9;
 
 // A peak between two records gets its own row once the force has fallen this much below it.
-constexpr double peak_resolution = 0.01;
+constexpr double peak_resolution = 0.005;
 
 }  // namespace
 
@@ -92,7 +92,7 @@ void PressCycle::record_if_due() {
   double const force = squeezing_force(tool_named(press_.world, "upper_punch"));
   bool const interval_is_over = press_.world.time >= static_cast<double>(tally.n_records + 1) *
                                                          press_.setup.output.record_interval * (1.0 - rounding);
-  bool const peak_was_missed = tally.max_force > (1.0 + peak_resolution) * tally.recorded_force &&
+  bool const peak_was_missed = tally.max_force > (1.0 + peak_resolution) * tally.seen_peak &&
                                force < (1.0 - peak_resolution) * tally.max_force;
   if (interval_is_over)
     tally.n_records = static_cast<std::uint64_t>(
@@ -107,6 +107,7 @@ void PressCycle::record() {
                         press_.record.stages().back() == press_.programme.stage().name;
   if (is_there) return;
   tally.last_record = press_.world.time;
+  tally.seen_peak = tally.max_force;
   Reading const now = read_press(press_);
   guard(press_, now);
   if (now.upper_punch_force > tally.recorded_force) {

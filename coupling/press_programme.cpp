@@ -62,7 +62,7 @@ dem::Tool& tool_named(dem::World& world, std::string_view name) { return find_to
 
 double squeezing_force(dem::Tool const& tool) {
   if (!tool.present) return 0.0;
-  return tool.name == "upper_punch" ? tool.force.z() : -tool.force.z();
+  return tool.name == "upper_punch" ? tool.force.z() : 0.0 - tool.force.z();  // 0 - 0 is no negative zero
 }
 
 PressProgramme::PressProgramme(std::vector<Stage> stages, PunchFaces faces, LongestStep longest_step, bool adaptive)
@@ -164,6 +164,7 @@ void PressProgramme::finish_stage(dem::World& world) {
 }
 
 double PressProgramme::stage_progress(dem::World const& world) const {
+  if (!is_started()) return 0.0;
   double const by_time =
       std::isfinite(stage_end_) ? (world.time - stage_start_) / std::max(stage_end_ - stage_start_, 1e-300) : 0.0;
   if (stage().kind != StageKind::move || stage().until != Limit::force || gap_rate(stage()) > 0.0)
