@@ -2,7 +2,8 @@
 
 #include "dem/surface/surface_edges.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ Cylinder first_guess(Cloud const& cloud, Vec3 const& axis) {
     lhs += row * row.transpose();
     rhs += (x * x + y * y) * row;
   }
-  Vec3 const abc = lhs.colPivHouseholderQr().solve(rhs);
+  Vec3 const abc = lhs.ldlt().solve(rhs);
   double const radius2 = abc.z() + abc.x() * abc.x() + abc.y() * abc.y();
   return {cloud.centroid + cloud.extent * (abc.x() * frame.e1 + abc.y() * frame.e2), axis,
           cloud.extent * std::sqrt(std::max(radius2, 0.0))};
