@@ -4,6 +4,7 @@
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -103,12 +104,10 @@ CurveRow curve_row(std::size_t source, char const* branch, BranchDifference cons
 void compare_curves(Comparison& comparison, std::vector<std::optional<ForceCurve>> const& curves,
                     Tolerances const& t) {
   auto const& sources = comparison.sources;
+  std::string without;
   for (std::size_t k = 0; k < sources.size(); ++k) {
     if (!curves[k])
-      comparison.missing.push_back(
-          fmt::format("{} has no rows with both punch_gap and upper_punch_force: no work and no "
-                      "difference of curves.",
-                      sources[k].label));
+      without += (without.empty() ? "" : ", ") + sources[k].label;
     if (k == 0 || !curves[0] || !curves[k])
       continue;
     auto const add = [&](char const* name, ForceBranch const& reference, ForceBranch const& own) {
@@ -121,6 +120,9 @@ void compare_curves(Comparison& comparison, std::vector<std::optional<ForceCurve
     add("loading", curves[0]->loading, curves[k]->loading);
     add("unloading", curves[0]->unloading, curves[k]->unloading);
   }
+  if (!without.empty())
+    comparison.missing.push_back(
+        "force over gap: no rows with both punch_gap and upper_punch_force in " + without + ".");
 }
 
 void compare_values(Comparison& comparison, Tolerances const& tolerances) {
@@ -137,6 +139,22 @@ void compare_values(Comparison& comparison, Tolerances const& tolerances) {
     if (n_known > 1)
       comparison.quantities.push_back(std::move(row));
   }
+}
+
+std::vector<std::string> what_is_beyond(Comparison const& c) {
+  std::vector<std::string> which;
+  for (auto const& row : c.quantities)
+    for (std::size_t k = 0; k < row.agreement.size(); ++k)
+      if (row.agreement[k] == Agreement::beyond)
+        which.push_back(fmt::format("{} of {} {}", row.words, c.sources[k].label,
+                                    row.is_relative
+                                        ? fmt::format("{:+.2f} %", 100.0 * row.differences[k])
+                                        : fmt::format("{:+.4g}", row.differences[k])));
+  for (auto const& row : c.curves)
+    if (row.agreement == Agreement::beyond)
+      which.push_back(fmt::format("{} curve of {} up to {:.2f} % of the peak", row.branch,
+                                  c.sources[row.source].label, 100.0 * row.largest));
+  return which;
 }
 
 } // namespace
@@ -186,21 +204,12 @@ std::string in_words(Comparison const& c) {
   if (c.agrees())
     return fmt::format("All {} comparisons with {} are within their tolerances.", c.n_compared(),
                        reference);
-  std::string which;
-  auto const add = [&](std::string const& what) { which += (which.empty() ? "" : "; ") + what; };
-  for (auto const& row : c.quantities)
-    for (std::size_t k = 0; k < row.agreement.size(); ++k)
-      if (row.agreement[k] == Agreement::beyond)
-        add(row.is_relative ? fmt::format("{} of {} {:+.2f} %", row.words, c.sources[k].label,
-                                          100.0 * row.differences[k])
-                            : fmt::format("{} of {} {:+.4g}", row.words, c.sources[k].label,
-                                          row.differences[k]));
-  for (auto const& row : c.curves)
-    if (row.agreement == Agreement::beyond)
-      add(fmt::format("{} curve of {} up to {:.2f} % of the peak", row.branch,
-                      c.sources[row.source].label, 100.0 * row.largest));
-  return fmt::format("{} of {} comparisons with {} are beyond their tolerance: {}.", c.n_beyond(),
-                     c.n_compared(), reference, which);
+  auto const which = what_is_beyond(c);
+  constexpr std::size_t most = 6; // the table has them all
+  auto text = fmt::format(
+      "{} of {} comparisons with {} are beyond their tolerance: {}", c.n_beyond(), c.n_compared(),
+      reference, fmt::join(which.begin(), which.begin() + std::min(most, which.size()), "; "));
+  return text + (which.size() > most ? fmt::format("; and {} more.", which.size() - most) : ".");
 }
 
 } // namespace coupling

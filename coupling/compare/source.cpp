@@ -10,7 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace coupling {
@@ -32,18 +31,30 @@ Source read_run(std::filesystem::path const& folder) {
   return source;
 }
 
-std::vector<Source> read_table(std::filesystem::path const& file) {
+std::vector<Source> read_table(std::filesystem::path const& file, std::string const& setup = "") {
   std::vector<Source> sources;
-  for (auto const& [setup, value] : read_value_table(file)) {
-    auto const label = setup.empty() ? label_of(file) : label_of(file) + " " + setup;
-    auto found = std::ranges::find(sources, label, &Source::label);
-    if (found == sources.end()) {
-      sources.push_back({.label = label, .record = PressRecord({}), .values = {}});
-      found = sources.end() - 1;
-    }
-    found->values[value.name] = {value.value, std::isnan(value.sd) ? 0.0 : value.sd};
+  for (auto const& row : read_value_table(file)) {
+    if (!setup.empty() && row.setup != setup)
+      continue;
+    auto const label = label_of(file) + (row.label.empty() ? "" : " " + row.label);
+    Source source{.label = label, .record = PressRecord({}), .values = {}};
+    for (auto const& v : row.values)
+      source.values[v.name] = {v.value, std::isnan(v.sd) ? 0.0 : v.sd};
+    sources.push_back(std::move(source));
   }
+  VALIDATE(!sources.empty(),
+           fmt::format("{}: has no setup {}. Which one of its column setup is meant?",
+                       file.string(), setup));
   return sources;
+}
+
+/// "table7.csv:E0250_CED5_D500", where no file has that whole name.
+std::vector<Source> read_setup(std::filesystem::path const& path) {
+  auto const name = path.string();
+  auto const colon = name.rfind(':');
+  VALIDATE(colon != std::string::npos && std::filesystem::is_regular_file(name.substr(0, colon)),
+           name + ": does not exist. Is the name right?");
+  return read_table(name.substr(0, colon), name.substr(colon + 1));
 }
 
 } // namespace
@@ -66,7 +77,8 @@ std::map<std::string, SourceValue> values_of(Summary const& s) {
 
 std::vector<Source> read_sources(std::filesystem::path const& path) {
   auto const name = path.string();
-  VALIDATE(std::filesystem::exists(path), name + ": does not exist. Is the name right?");
+  if (!std::filesystem::exists(path))
+    return read_setup(path);
   if (std::filesystem::is_directory(path)) {
     if (std::filesystem::exists(path / "curves.csv"))
       return {read_run(path)};
@@ -76,7 +88,7 @@ std::vector<Source> read_sources(std::filesystem::path const& path) {
         name + ": holds neither curves.csv nor measured.json (a run or measured data is needed). "
                "Is it the right folder?");
   }
-  if (is_value_table(read_file(path)))
+  if (is_value_table(read_file(path), name))
     return read_table(path);
   return {{.label = label_of(path), .record = in_si(read_curves(path), name), .values = {}}};
 }

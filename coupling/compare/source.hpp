@@ -28,13 +28,14 @@ struct Source {
 ///  - a folder of measured data (measured.json and its CSV files): one source a run
 ///  - a curves file, header `name [unit]`, in any units of the right dimension, `nan` allowed: one
 ///  source
-///  - a table of single values, header with `quantity` and `value`: one source, or one for each
-///  entry of `setup`
+///  - a table of single values (below): one source a row; `table.csv:NAME` takes the rows of setup
+///  NAME
 /// @throws dem::InvalidInput  for anything else, and for what those files hold that cannot be read
 std::vector<Source> read_sources(std::filesystem::path const& path);
 
-/// A table of single values: CSV with columns `quantity`, `value`, `unit`, and optionally `sd`,
-/// `source` and `setup`. Values become SI.
+/// A table of single values: CSV with columns `name [unit]` (`max_force [N]`, `porosity [%]`),
+/// their standard uncertainties if known (`max_force_sd [N]`), and columns of words without a unit
+/// (`setup`, `simulator`). Empty fields and `nan` are left out; values become SI.
 /// @param setup  only rows of this set-up, and rows that name none; empty = all
 /// @throws dem::InvalidInput  `file:line: ...`
 std::vector<ObservedValue> read_observed_values(std::filesystem::path const& file,

@@ -11,12 +11,13 @@ namespace coupling {
 
 /// A row of a table of single values.
 struct ValueRow {
-  std::string setup; ///< empty if the table has no such column
-  ObservedValue value;
+  std::string setup; ///< text of the column `setup`; empty if there is none
+  std::string label; ///< all text columns, "E0250_CED1_D300 LIGGGHTS"
+  std::vector<ObservedValue> values;
 };
 
-/// Whether a CSV text is such a table, by its first line.
-bool is_value_table(std::string const& text);
+/// Whether CSV text is such a table and no curve: a curve has a time or a gap.
+bool is_value_table(std::string const& text, std::string const& name);
 
 /// @throws dem::InvalidInput  `file:line: ...`
 std::vector<ValueRow> read_value_table(std::filesystem::path const& file);

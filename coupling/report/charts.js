@@ -72,7 +72,10 @@ class LineChart {
       ...s, x: scaled(s.x, this.unitX), y: scaled(s.y, this.unitY), colour: s.colour || palette[k % palette.length],
       dash: s.dash ?? (k >= palette.length ? '5 3' : ''), shown: true}));
     this.bands = (spec.bands || []).map(b => ({...b, from: b.from / this.unitX.factor, to: b.to / this.unitX.factor}));
-    this.marks = (spec.marks || []).map(m => ({...m, y: m.y / this.unitY.factor, sd: m.sd / this.unitY.factor}));
+    // A mark far above the curves would flatten them; it is in the table all the same.
+    const reach = 2 * largestOf(this.series.map(s => s.y));
+    this.marks = (spec.marks || []).map(m => ({...m, y: m.y / this.unitY.factor, sd: m.sd / this.unitY.factor}))
+        .filter(m => Math.abs(m.y) <= reach);
     const caption = figure.querySelector('figcaption');
     caption.textContent = spec.caption;
     if (spec.note) element('small', {}, spec.note, caption);

@@ -199,7 +199,7 @@ TEST(Compare, SaysWhatIsMissing) {
   std::string all;
   for (auto const& sentence : c.missing)
     all += sentence;
-  EXPECT_IN("paper has no rows with both punch_gap and upper_punch_force", all);
+  EXPECT_IN("no rows with both punch_gap and upper_punch_force in paper", all);
   EXPECT_IN("work of loading: not known for paper", all);
   EXPECT_EQ(c.quantities.size(), 1U);
 }
@@ -209,6 +209,16 @@ TEST(Compare, RefusesOneSourceAndSourcesWithNothingInCommon) {
   Source a{.label = "a", .record = PressRecord({}), .values = {{"porosity", {0.4}}}};
   Source b{.label = "b", .record = PressRecord({}), .values = {{"max_force", {1.0}}}};
   EXPECT_IN("no quantity in common", message_of([&] { compare({a, b}); }));
+}
+
+TEST(Compare, NamesTheFirstFewOfManyDifferences) {
+  std::vector<Source> sources = {curve("a", 1000.0)};
+  for (int k = 0; k < 9; ++k)
+    sources.push_back(
+        {.label = "b", .record = PressRecord({}), .values = {{"max_force", {2000.0}}}});
+  auto const text = in_words(compare(sources));
+  EXPECT_IN("9 of 9", text);
+  EXPECT_IN("of b (6) +100.00 %; and 3 more.", text);
 }
 
 TEST(Compare, TellsEqualLabelsApart) {
@@ -250,19 +260,25 @@ TEST(ReadSources, ConvertsUnitsAndRefusesTheWrongOnes) {
 
 TEST(ReadSources, ReadsATableOfPublishedValues) {
   support::ScratchFolder folder;
-  support::put_bytes(folder / "paper.csv",
-                     "setup,quantity,value,unit,sd,source\n"
-                     "E0250,max_force,1.618,kN,,Table 7\nE0250,porosity,42.01,%,0.5,Table 7\n"
-                     "E2500,max_force,16,kN,,Table 7\n");
+  support::put_bytes(
+      folder / "paper.csv",
+      "# source: a paper\n"
+      "setup,simulator,max_force [kN],porosity [%],porosity_sd [%],shape_quality [1]\n"
+      "E0250,EDEM,1.618,42.01,0.5,4\nE0250,LIGGGHTS,1.6,,,nan\nE2500,EDEM,16,,,\n");
   auto const sources = read_sources(folder / "paper.csv");
-  ASSERT_EQ(sources.size(), 2U);
-  EXPECT_EQ(sources[1].label, "paper E2500");
+  ASSERT_EQ(sources.size(), 3U);
+  EXPECT_EQ(sources[2].label, "paper E2500 EDEM");
   EXPECT_NEAR(sources[0].values.at("porosity").value, 0.4201, 1e-12);
   EXPECT_NEAR(sources[0].values.at("porosity").sd, 0.005, 1e-12);
   EXPECT_NEAR(sources[0].values.at("max_force").value, 1618.0, 1e-9);
+  EXPECT_EQ(sources[1].values.size(), 1U); // the empty and the nan field are left out
+  EXPECT_EQ(read_sources(folder.path().string() + "/paper.csv:E0250").size(), 2U);
+  EXPECT_IN("has no setup E9",
+            message_of([&] { read_sources(folder.path().string() + "/paper.csv:E9"); }));
   auto const of_setup = coupling::read_observed_values(folder / "paper.csv", "E2500");
   ASSERT_EQ(of_setup.size(), 1U);
   EXPECT_EQ(of_setup[0].unit, "N");
+  EXPECT_EQ(of_setup[0].source, "paper E2500 EDEM");
   coupling::Summary summary;
   summary.max_force = 15000.0;
   auto const rows = coupling::beside_observed(summary, of_setup);
@@ -290,12 +306,16 @@ TEST(ReadSources, RefusesWhatIsNoSource) {
   EXPECT_IN("does not exist", message_of([&] { read_sources(folder / "nothing"); }));
   EXPECT_IN("neither curves.csv nor measured.json",
             message_of([&] { read_sources(folder.path()); }));
-  support::put_bytes(folder / "t.csv", "quantity,value\nmax_force,1\n");
-  EXPECT_IN("no column 'unit'", message_of([&] { read_sources(folder / "t.csv"); }));
-  support::put_bytes(folder / "t.csv", "quantity,value,unit\nmax_force,nan,N\n");
-  EXPECT_IN("t.csv:2", message_of([&] { read_sources(folder / "t.csv"); }));
-  support::put_bytes(folder / "t.csv", "quantity,value,unit\nmax_force,1\n");
-  EXPECT_IN("t.csv:2: has 2 fields", message_of([&] { read_sources(folder / "t.csv"); }));
+  auto const t = folder / "t.csv";
+  auto const message_for = [&](char const* text) {
+    support::put_bytes(t, text);
+    return message_of([&] { read_sources(t); });
+  };
+  EXPECT_IN("t.csv:1: has no column 'name [unit]'", message_for("max_force,porosity\n1,2\n"));
+  EXPECT_IN("t.csv:2", message_for("max_force [N]\nmany\n"));
+  EXPECT_IN("max_force_sd = -1", message_for("max_force [N],max_force_sd [N]\n5,-1\n"));
+  EXPECT_IN("t.csv:2: has 1 fields", message_for("max_force [N],porosity [1]\n1\n"));
+  EXPECT_IN("holds no values", message_for("max_force [N]\n"));
 }
 
 TEST(WriteComparison, WritesThePageAndItsNumbers) {
