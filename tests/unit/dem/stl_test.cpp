@@ -7,12 +7,10 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <limits>
 #include <sstream>
-#include <utility>
 
 namespace dem {
 namespace {
@@ -292,8 +290,7 @@ TEST(StlRefusal, AbsurdScales) {
 
 TEST(StlWriter, LeavesNothingBehindWhereItCannotWrite) {
   ScratchFolder const folder;
-  auto const file = folder / "no such folder/die.stl";
-  EXPECT_THROW(write_stl(file, small_block()), InvalidInput);
+  EXPECT_THROW(write_stl(folder / "no such folder/die.stl", small_block()), InvalidInput);
   EXPECT_FALSE(std::filesystem::exists(folder / "no such folder"));
 }
 
