@@ -71,7 +71,8 @@ class LineChart {
     this.series = spec.series.map((s, k) => ({
       ...s, x: scaled(s.x, this.unitX), y: scaled(s.y, this.unitY), colour: s.colour || palette[k % palette.length],
       dash: s.dash ?? (k >= palette.length ? '5 3' : ''), shown: true}));
-    this.bands = (spec.bands || []).map(b => ({...b, from: b.from / this.unitX.factor, to: b.to / this.unitX.factor}));
+    this.bands = (spec.bands || []).map(b => ({...b, from: b.from / this.unitX.factor, to: b.to / this.unitX.factor}))
+        .filter(b => b.to > b.from);  // a release takes no time
     // A mark far above the curves would flatten them; it is in the table all the same.
     const reach = 2 * largestOf(this.series.map(s => s.y));
     this.marks = (spec.marks || []).map(m => ({...m, y: m.y / this.unitY.factor, sd: m.sd / this.unitY.factor}))
