@@ -5,6 +5,7 @@
 #include "coupling/case_schema.hpp"
 #include "coupling/case_text.hpp"
 #include "coupling/case_value.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 
 #include <deal.II/base/parameter_handler.h>
@@ -86,7 +87,7 @@ Assignment parse_override(std::string const& written) {
   VALIDATE(
       equals != std::string::npos,
       fmt::format("--set '{}': has no '=' (an override is 'Section/Entry=value'). Add the value?",
-                  written));
+                  quote(written)));
   auto const trim = [](std::string const& text) {
     auto const first = text.find_first_not_of(' ');
     return first == std::string::npos ? std::string()

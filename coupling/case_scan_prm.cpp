@@ -1,5 +1,6 @@
 #include "coupling/case_schema.hpp"
 #include "coupling/case_text.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>

@@ -3,6 +3,7 @@
 #include "coupling/case_schema.hpp"
 #include "coupling/case_text.hpp"
 #include "coupling/nearest_name.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -59,7 +60,7 @@ std::vector<std::string> read_header(std::string const& header, std::string cons
   for (std::string path; std::getline(parts, path, '+');) {
     path = trim(path);
     VALIDATE(find_entry(path) != nullptr, fmt::format("{}: column '{}' is no entry of a case.{}",
-                                                      where, path, suggest_entry(path)));
+                                                      where, quote(path), suggest_entry(path)));
     paths.push_back(path);
   }
   VALIDATE(!paths.empty(), where + ": has a column without a header. Remove it?");

@@ -2,6 +2,7 @@
 
 #include "coupling/case_schema.hpp"
 #include "coupling/case_value.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -13,7 +14,6 @@ namespace coupling {
 namespace {
 
 constexpr std::size_t largest_file = 1u << 20; // bytes; the full list of entries has 20 kB
-constexpr std::size_t longest_quote = 80;      // bytes of a value that a message repeats
 
 /// Number of bytes of the UTF-8 character at the front, 0 if there is none.
 /// Source: RFC 3629, section 4; overlong forms, surrogates and values above U+10FFFF are no
@@ -45,19 +45,6 @@ bool is_control(char c) {
 }
 
 } // namespace
-
-std::string quote(std::string_view text) {
-  std::size_t cut = std::min(text.size(), longest_quote);
-  // Not inside a UTF-8 character.
-  while (cut < text.size() && cut > 0 && (static_cast<unsigned char>(text[cut]) & 0xc0u) == 0x80u)
-    --cut;
-  std::string quoted(text.substr(0, cut));
-  std::ranges::replace_if(
-      quoted, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
-  if (cut < text.size())
-    quoted += "...";
-  return quoted;
-}
 
 void refuse_entry(std::string_view where, std::string_view path, std::string_view text,
                   std::string_view problem) {

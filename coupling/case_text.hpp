@@ -26,9 +26,6 @@ struct EntryText {
 /// Every entry of the schema, by path.
 using CaseText = std::map<std::string, EntryText, std::less<>>;
 
-/// A text as a message repeats it: on one line, the first 80 bytes.
-std::string quote(std::string_view text);
-
 /// Throws dem::InvalidInput `where: path = text: problem`.
 [[noreturn]] void refuse_entry(std::string_view where, std::string_view path, std::string_view text,
                                std::string_view problem);

@@ -1,6 +1,7 @@
 #include "coupling/case_value.hpp"
 
 #include "coupling/nearest_name.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -98,22 +99,22 @@ std::vector<SizeClass> parse_size_classes(Entry const& entry, std::string_view t
         colon != std::string::npos,
         fmt::format(
             "has a class '{}' without a share (a class is DIAMETER: SHARE). Write 0.5 mm: 100 %?",
-            part));
+            quote(part)));
     std::string const diameter = std::string(trim(std::string_view(part).substr(0, colon)));
     std::string const share = std::string(trim(std::string_view(part).substr(colon + 1)));
     try {
       sizes.push_back({.diameter = parse_quantity(diameter, Physical::length),
                        .mass_fraction = parse_quantity(share, Physical::ratio)});
     } catch (dem::InvalidInput const& problem) {
-      throw dem::InvalidInput(fmt::format("in class '{}': {}", part, problem.what()));
+      throw dem::InvalidInput(fmt::format("in class '{}': {}", quote(part), problem.what()));
     }
     VALIDATE(entry.range.contains(sizes.back().diameter),
              fmt::format("has a diameter {} outside the allowed range ({}). Did you mean mm?",
-                         diameter, describe_range(entry)));
+                         quote(diameter), describe_range(entry)));
     VALIDATE(sizes.back().mass_fraction > 0.0 && sizes.back().mass_fraction <= 1.0,
              fmt::format(
                  "has a share {} that is not above 0 and up to 100 %. Is the percent sign missing?",
-                 share));
+                 quote(share)));
   }
   VALIDATE(!sizes.empty(),
            "holds no size class (a component has at least one). Write 0.5 mm: 100 %?");
@@ -126,7 +127,7 @@ std::vector<std::string> parse_tools(std::string_view text) {
   for (auto tool = tools.begin(); tool != tools.end(); ++tool) {
     VALIDATE(std::ranges::find(known, *tool) != known.end(),
              fmt::format("names an unknown tool '{}' (tools are die, upper_punch, lower_punch).{}",
-                         *tool, did_you_mean(*tool, known, "Name one of them?")));
+                         quote(*tool), did_you_mean(*tool, known, "Name one of them?")));
     VALIDATE(std::find(tools.begin(), tool, *tool) == tool,
              fmt::format("names '{}' twice. Name it once?", *tool));
   }

@@ -1,6 +1,7 @@
 #include "coupling/units.hpp"
 
 #include "coupling/nearest_name.hpp"
+#include "coupling/quote.hpp"
 #include "dem/expect.hpp"
 #include "dem/vec3.hpp"
 
@@ -70,8 +71,8 @@ Unit find_unit(std::string_view symbol) {
   for (NamedUnit const& unit : units)
     known.emplace_back(unit.symbol);
   throw dem::InvalidInput(
-      fmt::format("'{}' is no unit that presscheck knows (units are case-sensitive).{}", symbol,
-                  did_you_mean(symbol, known, "Write it in SI units?")));
+      fmt::format("'{}' is no unit that presscheck knows (units are case-sensitive).{}",
+                  quote(symbol), did_you_mean(symbol, known, "Write it in SI units?")));
 }
 
 Unit raise(Unit const& unit, int power) {
@@ -99,7 +100,7 @@ Unit parse_factor(std::string_view factor) {
   std::string_view const digit = power.substr(is_negative ? 1 : 0);
   VALIDATE(digit.size() == 1 && digit[0] >= '1' && digit[0] <= '9',
            fmt::format("'{}' is no power of a unit (a caret is followed by 1 to 9). Write m^3?",
-                       factor));
+                       quote(factor)));
   return raise(find_unit(factor.substr(0, caret)), (digit[0] - '0') * (is_negative ? -1 : 1));
 }
 

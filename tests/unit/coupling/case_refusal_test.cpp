@@ -215,6 +215,9 @@ TEST(Names, ThatAreUnknownAreRefusedWithTheNearest) {
             "Powder = 1: is a section, not an entry. Name an entry below it?");
   EXPECT_EQ(refusal({"Powder/Total mass"}), "--set 'Powder/Total mass': has no '=' (an override is "
                                             "'Section/Entry=value'). Add the value?");
+  EXPECT_EQ(
+      refusal({"Title\nPowder"}),
+      "--set 'Title Powder': has no '=' (an override is 'Section/Entry=value'). Add the value?");
   EXPECT_EQ(refusal({"Title=a # b"}),
             "Title = a # b: holds '#', a tab, a line end, or a backslash at its end (a .prm file "
             "could not hold it). Leave it out?");

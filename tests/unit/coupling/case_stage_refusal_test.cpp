@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-// What a case says may be wrong in itself or against the rest of the case: each refusal by its
+// A press programme that cannot be run: each refusal by its
 // whole message.
 namespace coupling {
 namespace {
