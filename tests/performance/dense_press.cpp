@@ -26,7 +26,7 @@ coupling::Press stand_still(DenseBed const& bed, dem::Precision precision) {
                                  "Press programme/Stage 2/Kind=none",
                                  "Press programme/Stage 3/Kind=none",
                                  "Press programme/Stage 4/Kind=none"};
-  return coupling::set_up_press(coupling::parse_case("", "dense bed", entries));
+  return coupling::set_up_press(coupling::parse_case("set Title = Dense bed\n", "dense bed", entries));
 }
 
 double step_of(coupling::Press const& press) {

@@ -48,7 +48,7 @@ ProcessCost run_peer(Bench const& bench, long n_steps) {
                                   .record_every = 1'000'000,
                                   .moves = {{.speed = 0.0, .n_steps = n_steps, .dt = bench.dt}}};
   write_press_deck(deck, bench.packing, folder);
-  auto const cost = run_program({crosscode::find_program("liggghts", "liggghts"), "-in", "in.press"}, folder);
+  auto const cost = crosscode::run_program({crosscode::find_program("liggghts", "liggghts"), "-in", "in.press"}, folder);
   if (cost.exit_status != 0) throw std::runtime_error("liggghts failed, see " + folder.string());
   return cost;
 }
@@ -80,7 +80,7 @@ double list_share(Bench const& bench) {
 /// stands for 5 ms.
 double output_share(Bench const& bench) {
   auto const run = [&](std::vector<std::string> const& entries) {
-    crosscode::write_text(bench.folder / "hold.prm", "");
+    crosscode::write_text(bench.folder / "hold.prm", "set Title = Dense bed\n");
     std::vector<std::string> command{PRESSCHECK_PROGRAM, "run", "hold.prm", "-o", "hold", "--force", "--quiet"};
     for (std::string const& entry : entries) command.insert(command.end(), {"--set", entry});
     for (std::string const& entry :

@@ -28,6 +28,23 @@ Curve curve_of(coupling::PressRecord const& record) {
   return curve;
 }
 
+Curve at_instants(Curve const& curve, std::span<double const> instants) {
+  Curve result;
+  for (double const time : instants) {
+    auto const after = std::ranges::lower_bound(curve, time, {}, &CurvePoint::time);
+    if (after == curve.end() || after == curve.begin())
+      throw std::runtime_error("a force curve ends before the press cycle does");
+    CurvePoint const& left = *(after - 1);
+    double const share = (time - left.time) / (after->time - left.time);
+    auto const between = [&](double CurvePoint::*value) {
+      return left.*value + share * ((*after).*value - left.*value);
+    };
+    result.push_back({time, between(&CurvePoint::gap), between(&CurvePoint::upper_force),
+                      between(&CurvePoint::lower_force)});
+  }
+  return result;
+}
+
 Curve mean_of(std::vector<Curve> const& curves) {
   Curve mean = curves.front();
   double const share = 1.0 / static_cast<double>(curves.size());
@@ -47,14 +64,8 @@ double peak_force(Curve const& curve) {
 
 double largest_difference(Curve const& a, Curve const& b) {
   double largest = 0.0;
-  for (CurvePoint const& p : a) {
-    auto const after = std::ranges::lower_bound(b, p.time, {}, &CurvePoint::time);
-    if (after == b.end() || after == b.begin()) continue;
-    CurvePoint const& left = *(after - 1);
-    double const share = (p.time - left.time) / (after->time - left.time);
-    double const force = left.upper_force + share * (after->upper_force - left.upper_force);
-    largest = std::max(largest, std::abs(force - p.upper_force));
-  }
+  for (std::size_t k = 0; k < a.size(); ++k)
+    largest = std::max(largest, std::abs(a[k].upper_force - b.at(k).upper_force));
   return largest;
 }
 

@@ -3,6 +3,7 @@
 #include "coupling/record/press_record.hpp"
 
 #include <filesystem>
+#include <span>
 #include <vector>
 
 namespace crosscode {
@@ -23,13 +24,15 @@ Curve read_peer_curve(std::filesystem::path const& file);
 /// The same from the record of our own run.
 Curve curve_of(coupling::PressRecord const& record);
 
+/// The curve at given instants, linear between its points. @throws std::runtime_error if it does not reach that far
+Curve at_instants(Curve const& curve, std::span<double const> instants);
+
 /// Mean of several curves with the same instants.
 Curve mean_of(std::vector<Curve> const& curves);
 
 double peak_force(Curve const& curve);
 
-/// Largest difference of the upper force at the instants of `a`, `b` interpolated linearly in time [N].
-/// Instants outside the time of `b` do not count.
+/// Largest difference of the upper force between curves with the same instants [N].
 double largest_difference(Curve const& a, Curve const& b);
 
 }  // namespace crosscode

@@ -24,7 +24,7 @@ struct PressDeck {
   double wall_modulus = 200e6;   ///< [Pa]
   double cohesion = 5e6;         ///< [J/m^3], grain to grain
   double skin = 0.1e-3;          ///< [m]
-  long record_every = 200;       ///< [steps]
+  long record_every = 1;         ///< [steps]
   std::vector<PunchMove> moves = {};
 };
 

@@ -15,12 +15,17 @@ namespace {
 
 constexpr double half_width = 0.02;  // [m], of the box and of the plate
 
-std::string wall_of(StepsDeck const& deck) {
-  if (!deck.plate_speed) return "";
-  return fmt::format("fix plate all mesh/surface/stress file plate.stl type 3\n"
-                     "fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate\n"
-                     "fix motion all move/mesh mesh plate linear 0 0 {}\n",
-                     *deck.plate_speed);
+std::string walls_of(StepsDeck const& deck) {
+  std::string text;
+  if (deck.plate_speed)
+    text += fmt::format("fix plate all mesh/surface/stress file plate.stl type 3\n"
+                        "fix wall all wall/gran model hertz tangential history mesh n_meshes 1 meshes plate\n"
+                        "fix motion all move/mesh mesh plate linear 0 0 {}\n",
+                        *deck.plate_speed);
+  if (deck.bore_diameter)
+    text += fmt::format("fix bore all wall/gran model hertz tangential history primitive type 3 zcylinder {} 0 0\n",
+                        *deck.bore_diameter / 2.0);
+  return text;
 }
 
 }  // namespace
@@ -37,7 +42,7 @@ void write_steps_deck(StepsDeck const& deck, std::filesystem::path const& folder
                              "dump steps all custom 1 steps.txt id x y z vx vy vz omegax omegay omegaz "
                              "fx fy fz tqx tqy tqz\n"
                              "dump_modify steps format \"%d{}\"\nthermo 1000\nrun {}\n",
-                             deck.dt, wall_of(deck),
+                             deck.dt, walls_of(deck),
                              " %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g %.17g"
                              " %.17g %.17g %.17g %.17g %.17g %.17g",
                              deck.n_steps));

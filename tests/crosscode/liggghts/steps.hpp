@@ -17,6 +17,7 @@ struct StepsDeck {
   double cohesion = 5e6;                  ///< [J/m^3], grain to grain
   FrictionLimit friction_limit = FrictionLimit::net;
   std::optional<double> plate_speed = {};  ///< [m/s], of a plate that starts in z = 0 and moves along z
+  std::optional<double> bore_diameter = {};  ///< [m], of an exact cylinder about the z axis
   double dt = 4e-7;                       ///< [s]
   long n_steps = 3000;
 };

@@ -5,6 +5,7 @@
 
 #include "dem/step/advance.hpp"
 #include "dem/step/world.hpp"
+#include "dem/surface/tool_shapes.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -34,6 +35,12 @@ dem::World build_world(StepsDeck const& deck) {
                                      .triangles = {{0, 1, 2}}};
     world.tools.push_back({.name = "plate", .surface = dem::SmoothSurface(plate), .material = wall});
     world.tools.back().velocity = {0.0, 0.0, *deck.plate_speed};
+  }
+  if (deck.bore_diameter) {
+    // Long enough that no rim is near; recognised as the cylinder that its vertices stand on.
+    auto die = dem::make_die(*deck.bore_diameter, 4.0 * *deck.bore_diameter, *deck.bore_diameter, 1e-5);
+    for (dem::Vec3& vertex : die.vertices) vertex.z() -= 2.0 * *deck.bore_diameter;
+    world.tools.push_back({.name = "die", .surface = dem::SmoothSurface(die), .material = wall});
   }
   return world;
 }
@@ -105,6 +112,13 @@ TEST(StepsAgainstLiggghts, CohesivePairWithElasticFrictionLimit) {
 TEST(StepsAgainstLiggghts, GrainSlidesOnAMovingPlate) {
   dem::Packing const grain{{{0.0, 0.0, 0.251e-3}, 0.5e-3, 0, {0.3, -0.1, -0.1}, {100.0, 200.0, -50.0}}};
   expect_same_steps({.grains = grain, .plate_speed = 0.2, .n_steps = 600}, "plate");
+}
+
+TEST(StepsAgainstLiggghts, GrainSlidesAlongTheBore) {
+  // 5 um from the wall of a 22.05 mm bore, thrown outwards, sideways and along.
+  dem::Vec3 const outwards(0.6, 0.8, 0.0);
+  dem::Packing const grain{{(11.025e-3 - 0.505e-3) * outwards, 1e-3, 0, {0.3, -0.1, 0.15}, {100.0, 200.0, -50.0}}};
+  expect_same_steps({.grains = grain, .bore_diameter = 22.05e-3, .n_steps = 3000}, "bore");
 }
 
 }  // namespace
