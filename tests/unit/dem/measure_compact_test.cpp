@@ -2,7 +2,7 @@
 
 #include "dem/measure/contact_statistics.hpp"
 #include "dem/measure/energy.hpp"
-#include "measure_builders.hpp"
+#include "tests/unit/dem/measure_builders.hpp"
 
 #include <gtest/gtest.h>
 

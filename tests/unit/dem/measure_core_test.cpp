@@ -1,7 +1,7 @@
 #include "dem/measure/core.hpp"
 
 #include "dem/measure/quadrature.hpp"
-#include "measure_builders.hpp"
+#include "tests/unit/dem/measure_builders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 #include "dem/measure/shape.hpp"
 
-#include "measure_builders.hpp"
+#include "tests/unit/dem/measure_builders.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 #include "dem/measure/stress.hpp"
 
 #include "dem/expect.hpp"
-#include "measure_builders.hpp"
+#include "tests/unit/dem/measure_builders.hpp"
 
 #include <gtest/gtest.h>
 
