@@ -73,7 +73,7 @@ void build_outer(World const& world, double reach, ContactLists<T>& lists) {
   lists.pairs = find_pairs(lists.outer.position, total);
 
   std::vector<std::vector<std::uint32_t>> near(n);
-#pragma omp parallel for schedule(dynamic, 256)
+#pragma omp parallel for schedule(dynamic, 256) if (n > 256)
   for (std::size_t i = 0; i < n; ++i) near[i] = tools_near(world, lists.outer, i, reach);
   lists.near_tool_start.assign(n + 1, 0);
   lists.near_tool.clear();
@@ -90,7 +90,7 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
   std::size_t const block_rows = n < 8192 ? 256 : 512;  // of n alone: the same bits on any number of threads
   PairTable const table(world.materials);
   lists.blocks.resize((n + block_rows - 1) / block_rows);
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (lists.blocks.size() > 1)
   for (std::size_t b = 0; b < lists.blocks.size(); ++b) {
     lists.blocks[b].first_row = static_cast<std::uint32_t>(b * block_rows);
     lists.blocks[b].end_row = static_cast<std::uint32_t>(std::min(n, (b + 1) * block_rows));

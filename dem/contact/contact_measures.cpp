@@ -44,70 +44,86 @@ ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t 
 
 }  // namespace
 
-/// Calls visit(Contact, input, constants, memory) for every listed contact; `overlap` is set, forces are not.
+/// Calls visit(Contact, input, constants, memory) for every listed contact of a block; only what is cheap is set in
+/// the Contact.
 template <class T>
 template <class Visit>
-void TypedStore<T>::for_each_contact(World const& world, Visit&& visit) const {
+void TypedStore<T>::for_each_contact(World const& world, PairTable const& table, ContactBlock<T> const& block,
+                                     Visit&& visit) const {
   Spheres const& g = world.grains;
-  PairTable const table(world.materials);
   double constants[16] = {};
-  auto const memory_at = [](ContactBlock<T> const& block, std::size_t at) {
+  auto const memory_at = [&block](std::size_t at) {
     auto const m = [&](int s) { return static_cast<double>(block.memory_stream(s)[at]); };
     return ContactMemory<double>{.spring = {m(0), m(1), m(2)}, .normal = m(3)};
   };
-  for (ContactBlock<T> const& block : lists_.blocks) {
-    for (std::size_t k = 0; k < block.n_pairs; ++k) {
-      std::uint32_t const i = block.owner[k], j = block.partner[k];
-      auto const input = pair_input(g, i, j);
-      Contact c{};
-      c.i = i, c.j = j, c.tool = c.patch = c.triangle = Contact::none;
-      kernel_.constants(table(g.material[i], g.material[j]), pair_size(g, i, j), choice_, constants);
-      visit(c, input, constants, memory_at(block, k));
-    }
-    for (std::size_t k = 0; k < block.walls.size(); ++k) {
-      WallContact const& wall = block.walls[k];
-      Tool const& tool = world.tools[wall.tool];
-      if (!tool.present) continue;
-      std::vector<SurfacePoint> found;
-      Vec3 const centre = g.position[wall.owner] - tool.displacement;
-      if (wall.inside_rim) {
-        found.push_back(tool.surface.on_patch(wall.patch, centre));
-      } else {
-        tool.surface.find(centre, 1.2 * g.radius[wall.owner], found);
-        std::erase_if(found, [&](SurfacePoint const& at) { return at.patch != wall.patch; });
-      }
-      if (found.empty()) continue;
-      Contact c{};
-      c.i = wall.owner, c.j = Contact::none, c.tool = wall.tool, c.patch = wall.patch;
-      c.triangle = found.front().triangle;
-      c.point = found.front().point + tool.displacement;
-      kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner), choice_, constants);
-      visit(c, wall_input(g, tool, wall.owner, found.front()), constants, memory_at(block, block.wall_offset + k));
-    }
+  for (std::size_t k = 0; k < block.n_pairs; ++k) {
+    std::uint32_t const i = block.owner[k], j = block.partner[k];
+    Contact c{};
+    c.i = i, c.j = j, c.tool = c.patch = c.triangle = Contact::none;
+    kernel_.constants(table(g.material[i], g.material[j]), pair_size(g, i, j), choice_, constants);
+    visit(c, pair_input(g, i, j), constants, memory_at(k));
   }
+  std::vector<SurfacePoint> found;
+  for (std::size_t k = 0; k < block.walls.size(); ++k) {
+    WallContact const& wall = block.walls[k];
+    Tool const& tool = world.tools[wall.tool];
+    if (!tool.present) continue;
+    found.clear();
+    Vec3 const centre = g.position[wall.owner] - tool.displacement;
+    if (wall.inside_rim) {
+      found.push_back(tool.surface.on_patch(wall.patch, centre));
+    } else {
+      tool.surface.find(centre, 1.2 * g.radius[wall.owner], found);
+      std::erase_if(found, [&](SurfacePoint const& at) { return at.patch != wall.patch; });
+    }
+    if (found.empty()) continue;
+    Contact c{};
+    c.i = wall.owner, c.j = Contact::none, c.tool = wall.tool, c.patch = wall.patch;
+    c.triangle = found.front().triangle;
+    c.point = found.front().point + tool.displacement;
+    kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner), choice_, constants);
+    visit(c, wall_input(g, tool, wall.owner, found.front()), constants, memory_at(block.wall_offset + k));
+  }
+}
+
+/// Runs over the blocks in parallel, each with a result of its own, and hands the results back in block order.
+template <class T>
+template <class Result, class Visit>
+std::vector<Result> TypedStore<T>::per_block(World const& world, Visit&& visit) const {
+  std::vector<Result> results(lists_.blocks.size());
+  PairTable const table(world.materials);
+#pragma omp parallel for schedule(dynamic, 1) if (results.size() > 1)
+  for (std::size_t b = 0; b < results.size(); ++b)
+    for_each_contact(world, table, lists_.blocks[b],
+                     [&](Contact const& c, ContactInput<double> const& in, double const* constants,
+                         ContactMemory<double> const& memory) { visit(results[b], c, in, constants, memory); });
+  return results;
 }
 
 template <class T>
 std::vector<Contact> TypedStore<T>::list(World const& world) const {
-  std::vector<Contact> contacts;
   ModelSwitches<double> const switches{.cohesion_in_limit = choice_.friction_limit == "net" ? 1.0 : 0.0,
                                        .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
-  for_each_contact(world, [&](Contact c, ContactInput<double> const& in, double const* constants,
-                              ContactMemory<double> const& memory) {
-    ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
-    if (out.overlap <= 0.0 && memory.normal < 0.5) return;
-    c.normal = vec3(in.separation).normalized();
-    c.overlap = out.overlap;
-    c.normal_force = out.normal_force;
-    c.cohesive_force = out.cohesive_force;
-    c.force = vec3(out.force);
-    c.tangential_force = c.force - out.normal_force * c.normal;
-    if (c.tool == Contact::none)
-      c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
-    else if (c.triangle == Contact::none)
-      c.triangle = world.tools[c.tool].surface.triangle_at(c.patch, c.point - world.tools[c.tool].displacement);
-    contacts.push_back(c);
-  });
+  auto const parts = per_block<std::vector<Contact>>(
+      world, [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in, double const* constants,
+                 ContactMemory<double> const& memory) {
+        ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
+        if (out.overlap <= 0.0 && memory.normal < 0.5) return;
+        c.normal = vec3(in.separation).normalized();
+        c.overlap = out.overlap;
+        c.normal_force = out.normal_force;
+        c.cohesive_force = out.cohesive_force;
+        c.force = vec3(out.force);
+        c.tangential_force = c.force - out.normal_force * c.normal;
+        if (c.tool == Contact::none)
+          c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
+        else if (c.triangle == Contact::none)
+          c.triangle =
+              world.tools[c.tool].surface.triangle_at(c.patch, c.point - world.tools[c.tool].displacement);
+        part.push_back(c);
+      });
+  std::vector<Contact> contacts;
+  for (auto const& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
   auto const& id = world.grains.id;
   std::ranges::sort(contacts, {}, [&](Contact const& c) {
     return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1, c.j == Contact::none ? c.tool : id[c.j], c.patch);
@@ -117,28 +133,30 @@ std::vector<Contact> TypedStore<T>::list(World const& world) const {
 
 template <class T>
 StoredEnergy TypedStore<T>::energy(World const& world) const {
+  auto const parts = per_block<StoredEnergy>(
+      world, [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in, double const* constants,
+                 ContactMemory<double> const& memory) {
+        double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
+        if (overlap <= 0.0 && memory.normal < 0.5) return;
+        auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
+        part.elastic += e.elastic;
+        part.cohesive += e.cohesive;
+      });
   StoredEnergy total;
-  for_each_contact(world, [&](Contact const&, ContactInput<double> const& in, double const* constants,
-                              ContactMemory<double> const& memory) {
-    double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
-    if (overlap <= 0.0 && memory.normal < 0.5) return;
-    auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
-    total.elastic += e.elastic;
-    total.cohesive += e.cohesive;
-  });
+  for (StoredEnergy const& part : parts) total.elastic += part.elastic, total.cohesive += part.cohesive;
   return total;
 }
 
 template <class T>
 double TypedStore<T>::stable_step(World const& world) const {
-  std::vector<LinearContact> contacts;
-  for_each_contact(world, [&](Contact const& c, ContactInput<double> const& in, double const* constants,
-                              ContactMemory<double> const&) {
-    Vec3 const separation = vec3(in.separation);
-    double const overlap = in.square_gap / (in.radius_sum + separation.norm());
-    if (overlap <= 0.0) return;
-    auto const s = kernel_.stiffness(constants, overlap);
-    contacts.push_back({.i = c.i,
+  auto const parts = per_block<std::vector<LinearContact>>(
+      world, [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
+                 double const* constants, ContactMemory<double> const&) {
+        Vec3 const separation = vec3(in.separation);
+        double const overlap = in.square_gap / (in.radius_sum + separation.norm());
+        if (overlap <= 0.0) return;
+        auto const s = kernel_.stiffness(constants, overlap);
+        part.push_back({.i = c.i,
                         .j = c.j,
                         .normal = separation.normalized(),
                         .lever_i = in.radius_i - 0.5 * overlap,
@@ -147,7 +165,9 @@ double TypedStore<T>::stable_step(World const& world) const {
                         .tangential_stiffness = s.tangential,
                         .normal_dashpot = s.normal_dashpot,
                         .tangential_dashpot = s.tangential_dashpot});
-  });
+      });
+  std::vector<LinearContact> contacts;
+  for (auto const& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
   return dem::stable_step(world.grains, contacts);
 }
 

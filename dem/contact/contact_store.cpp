@@ -60,6 +60,14 @@ void permute_grains(Spheres& grains, std::vector<std::uint32_t> const& order) {
   permute(grains.id, order);
 }
 
+template <class T>
+void write_record(Spheres const& g, std::size_t i, PlaceRecord& place, MotionRecord<T>& motion) {
+  Vec3 const &x = g.position[i], &v = g.velocity[i], &w = g.spin[i];
+  place = {x.x(), x.y(), x.z(), g.radius[i]};
+  motion = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
+            static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
+}
+
 }  // namespace
 
 template <class T>
@@ -151,14 +159,14 @@ double TypedStore<T>::kick_and_drift(World& world, double dt) {
   constexpr std::size_t chunk = 1024;
   std::vector<double> power((g.size() + chunk - 1) / chunk, 0.0);
   bool hold = has_list;
-#pragma omp parallel for schedule(static) reduction(&& : hold)
+#pragma omp parallel for schedule(static) reduction(&& : hold) if (power.size() > 1)
   for (std::size_t c = 0; c < power.size(); ++c) {
     double chunk_power = 0.0;
     bool chunk_holds = has_list;
     for (std::size_t i = c * chunk; i < std::min(g.size(), (c + 1) * chunk); ++i) {
       half_kick(g, i, dt);
       g.position[i] += dt * g.velocity[i];
-      write_record(g, i);
+      write_record(g, i, places_[i], motions_[i]);
       chunk_power += g.mass[i] * world.gravity.dot(g.velocity[i]);
       if (has_list)
         chunk_holds &= (g.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
@@ -195,18 +203,10 @@ void TypedStore<T>::evaluate(World& world) {
 }
 
 template <class T>
-void TypedStore<T>::write_record(Spheres const& g, std::size_t i) {
-  Vec3 const &x = g.position[i], &v = g.velocity[i], &w = g.spin[i];
-  places_[i] = {x.x(), x.y(), x.z(), g.radius[i]};
-  motions_[i] = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
-                 static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
-}
-
-template <class T>
 void TypedStore<T>::write_records(World const& world) {
   places_.resize(world.grains.size());
   motions_.resize(world.grains.size());
-  for (std::size_t i = 0; i < world.grains.size(); ++i) write_record(world.grains, i);
+  for (std::size_t i = 0; i < world.grains.size(); ++i) write_record(world.grains, i, places_[i], motions_[i]);
 }
 
 /// Own load first, then the foreign ones in the order of their blocks.
@@ -226,7 +226,7 @@ void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block, std
 
 template <class T>
 void TypedStore<T>::gather_and_kick(World& world, double dt) {
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     for (std::uint32_t i = lists_.blocks[b].first_row; i < lists_.blocks[b].end_row; ++i) {
       gather_loads(world, lists_.blocks[b], i);
@@ -262,7 +262,7 @@ void TypedStore<T>::sweep(World& world, double dt) {
                             .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
                                          .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
                             .dt = dt};
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b) kernel_.sweep(lists_.blocks[b], input);
   tally_tools(world, dt);
   for (ContactBlock<T> const& block : lists_.blocks) {

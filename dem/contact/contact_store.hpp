@@ -50,12 +50,14 @@ private:
   bool grains_hold(World const& world) const;
   bool try_inner_build(World const& world, double dt);
   void full_build(World& world, double dt);
-  void write_record(Spheres const& grains, std::size_t i);
   void write_records(World const& world);
   void gather_loads(World& world, ContactBlock<T> const& block, std::uint32_t i) const;
   void tally_tools(World& world, double dt) const;
   template <class Visit>
-  void for_each_contact(World const& world, Visit&& visit) const;
+  void for_each_contact(World const& world, PairTable const& table, ContactBlock<T> const& block,
+                        Visit&& visit) const;
+  template <class Result, class Visit>
+  std::vector<Result> per_block(World const& world, Visit&& visit) const;
 
   ContactChoice choice_;
   ContactKernel<T> kernel_;

@@ -36,7 +36,7 @@ PairList sort_by_owner(std::size_t n, std::vector<std::vector<std::pair<Row, Row
   std::vector<Row> next(list.start.begin(), list.start.end() - 1);
   for (auto const& part : found)
     for (auto const& [a, b] : part) list.partner[next[a]++] = b;
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) if (n > 1024)
   for (std::size_t i = 0; i < n; ++i)
     std::sort(list.partner.begin() + list.start[i], list.partner.begin() + list.start[i + 1]);
   return list;
@@ -61,7 +61,7 @@ PairList find_pairs(std::span<Vec3 const> position, std::span<double const> reac
   // Chunks of fixed size keep the result independent of the number of threads.
   constexpr std::size_t chunk = 1024;
   std::vector<std::vector<std::pair<Row, Row>>> found((n + chunk - 1) / chunk);
-#pragma omp parallel for schedule(dynamic, 1)
+#pragma omp parallel for schedule(dynamic, 1) if (found.size() > 1)
   for (std::size_t part = 0; part < found.size(); ++part) {
     for (Row i = static_cast<Row>(part * chunk); i < std::min(n, (part + 1) * chunk); ++i) {
       auto const consider = [&](Row j) {

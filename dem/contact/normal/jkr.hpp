@@ -26,7 +26,7 @@ struct Jkr {
     N modulus;     ///< E* [Pa]
     N adhesion;    ///< s = sqrt(2 pi w / E*)  [m^(1/2)]
     N zero_load;   ///< sqrt(a) at d = 0:  (R* s)^(1/3)  [m^(1/2)]
-    N reach;       ///< 3/4 (R* s^4)^(1/3): minus the smallest d on the branch [m]
+    N reach;       ///< 3/4 (R* s^4 / 4)^(1/3): minus the smallest d on the branch [m]
     N damping;     ///< as Hertz [kg/s/m^(1/4)]
   };
   static constexpr int n_constants = 6;
@@ -38,7 +38,7 @@ struct Jkr {
             .modulus = pair.effective_modulus,
             .adhesion = s,
             .zero_load = std::cbrt(size.effective_radius * s),
-            .reach = 0.75 * std::cbrt(size.effective_radius * s * s * s * s),
+            .reach = 0.75 * std::cbrt(0.25 * size.effective_radius * s * s * s * s),
             .damping = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping_ratio *
                        std::sqrt(stiffness * size.effective_mass)};
   }
