@@ -81,7 +81,7 @@ struct TimeStepping {
   double rayleigh_fraction = 0.1;
   bool adaptive = false;
   double safety = 0.8;                      ///< of the stable step, adaptive only
-  double max_relative_overlap = 0.9;        ///< guard, of the smaller radius
+  double max_relative_overlap = 1.8;        ///< guard, of the smaller radius
   double max_energy_error = 0.1;            ///< guard, of the work done so far
 };
 
