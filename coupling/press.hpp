@@ -21,7 +21,7 @@ struct Press {
   PressProgramme programme;
   PressRecord record;
   PressTally tally;
-  double grain_mass = 0.0;  ///< [kg], of all grains
+  double grain_mass = 0.0;  ///< [kg], of all grains; kept, because a sum in another order is another number
 
   /// Calls `write(name, value)` for all that a restart must restore; what the case rebuilds is left out.
   template <class Writer>
@@ -63,6 +63,7 @@ void Press::save(Writer&& write) {
   programme.visit_state(write);
   visit_record(record, programme.stages(), write);
   tally.visit_state(write);
+  write("grains/total_mass", grain_mass);
 }
 
 template <class Reader>
@@ -73,6 +74,7 @@ void Press::load(Reader&& read) {
   programme.visit_state(read);
   visit_record(record, programme.stages(), read);
   tally.visit_state(read);
+  read("grains/total_mass", grain_mass);
 }
 
 }  // namespace coupling

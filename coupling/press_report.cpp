@@ -42,7 +42,6 @@ std::vector<ToolOutline> outline_tools(Press const& press) {
 std::vector<ProvenanceEntry> provenance(Press const& press) {
   Case const& setup = press.setup;
   return {{"program", fmt::format("presscheck {}", PRESSCHECK_VERSION)},
-          {"case", setup.file.filename().string()},
           {"packing seed", fmt::format("{}", setup.powder.seed)},
           {"contact laws", fmt::format("{}, {}, {}, rolling {}", setup.contacts.law.normal, setup.contacts.law.cohesion,
                                        setup.contacts.law.tangential, setup.contacts.law.rolling)},

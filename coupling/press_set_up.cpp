@@ -133,7 +133,6 @@ Press restore_press(Case const& setup, std::filesystem::path const& restart_file
   StateReader read(restart_file);
   press.load(read);
   read.finish();
-  press.grain_mass = total_mass(press.world.grains);
   return press;
 }
 
