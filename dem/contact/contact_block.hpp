@@ -69,16 +69,15 @@ struct ContactBlock {
 
   std::uint32_t first_row = 0, end_row = 0;
   std::uint32_t n_pairs = 0;
-  std::vector<std::uint32_t> owner;         ///< row of the grain, pairs only
-  std::vector<std::uint32_t> partner;       ///< row of the other grain, pairs only
-  std::vector<std::uint32_t> partner_slot;  ///< its record in `loads`
+  std::vector<std::uint16_t> owner;         ///< slot of the grain, pairs only
+  std::vector<std::uint16_t> partner;       ///< slot of the other grain, pairs only
   std::vector<WallContact> walls;
-  std::vector<std::uint32_t> halo;          ///< rows of the foreign partners, sorted
+  std::vector<std::uint32_t> rows;          ///< row of each slot: the block's own, then the foreign partners, sorted
   std::size_t stride = 0;
   std::size_t wall_offset = 0;              ///< where the walls start in the streams
   LineVector<T> constants;
   LineVector<T> memory;
-  LineVector<LoadRecord<T>> loads;
+  LineVector<LoadRecord<T>> loads;          ///< one a slot
   BlockPower power;
 
   std::uint32_t n_rows() const { return end_row - first_row; }

@@ -51,7 +51,8 @@ CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t c
   };
   for (ContactBlock<T> const& block : lists.blocks) {
     for (std::size_t k = 0; k < block.n_pairs; ++k)
-      take(block, k, {block.owner[k], block.partner[k], CarriedContacts<T>::between_grains, {}}, false);
+      take(block, k,
+           {block.rows[block.owner[k]], block.rows[block.partner[k]], CarriedContacts<T>::between_grains, {}}, false);
     for (std::size_t k = 0; k < block.walls.size(); ++k)
       take(block, block.wall_offset + k, {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
   }
@@ -98,13 +99,13 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
   }
   lists.halo_start.assign(n + 1, 0);
   for (auto const& block : lists.blocks)
-    for (std::uint32_t row : block.halo) ++lists.halo_start[row + 1];
+    for (std::size_t s = block.n_rows(); s < block.rows.size(); ++s) ++lists.halo_start[block.rows[s] + 1];
   std::partial_sum(lists.halo_start.begin(), lists.halo_start.end(), lists.halo_start.begin());
   lists.halo_entry.resize(lists.halo_start.back());
   std::vector<std::uint32_t> next(lists.halo_start.begin(), lists.halo_start.end() - 1);
   for (std::size_t b = 0; b < lists.blocks.size(); ++b)
-    for (std::size_t h = 0; h < lists.blocks[b].halo.size(); ++h)
-      lists.halo_entry[next[lists.blocks[b].halo[h]]++] = b << 32 | (lists.blocks[b].n_rows() + h);
+    for (std::size_t s = lists.blocks[b].n_rows(); s < lists.blocks[b].rows.size(); ++s)
+      lists.halo_entry[next[lists.blocks[b].rows[s]]++] = b << 32 | s;
 }
 
 #define PRESSCHECK_LISTS(T)                                                                        \

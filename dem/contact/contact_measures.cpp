@@ -57,7 +57,7 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
     return ContactMemory<double>{.spring = {m(0), m(1), m(2)}, .normal = m(3)};
   };
   for (std::size_t k = 0; k < block.n_pairs; ++k) {
-    std::uint32_t const i = block.owner[k], j = block.partner[k];
+    std::uint32_t const i = block.rows[block.owner[k]], j = block.rows[block.partner[k]];
     Contact c{};
     c.i = i, c.j = j, c.tool = c.patch = c.triangle = Contact::none;
     kernel_.constants(table(g.material[i], g.material[j]), pair_size(g, i, j), choice_, constants);
@@ -180,7 +180,7 @@ ListStatistics TypedStore<T>::statistics(World const& world) const {
   auto const bytes = [](auto const&... v) { return ((v.capacity() * sizeof(v[0])) + ...); };
   for (ContactBlock<T> const& b : lists_.blocks) {
     s.listed += b.n_pairs + b.walls.size();
-    s.bytes += bytes(b.owner, b.partner, b.partner_slot, b.walls, b.halo, b.constants, b.memory, b.loads);
+    s.bytes += bytes(b.owner, b.partner, b.walls, b.rows, b.constants, b.memory, b.loads);
   }
   for (ListAge const* age : {&lists_.outer, &lists_.inner}) s.bytes += bytes(age->position, age->skin);
   s.bytes += bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start, lists_.near_tool,
@@ -231,6 +231,7 @@ void TypedStore<T>::restore(World& world, ContactState const& state) {
   build_inner(world, kernel_, choice_, beyond, none, lists_);
   lists_.outer_builds = state.outer_builds;
   lists_.inner_builds = state.inner_builds;
+  travel_.clear();
   std::size_t next = 0;
   for (ContactBlock<T>& block : lists_.blocks) {
     VALIDATE(next + block.n_pairs + block.walls.size() <= state.spring.size() &&

@@ -20,6 +20,9 @@ constexpr double inner_steps = 100.0, outer_steps = 800.0;       // how many ste
 constexpr double cap_diameters = 2.0;                            // of the smallest diameter
 constexpr double least_share = 0.5;  // an inner skin below this share of its base is not worth building
 
+// Grains a chunk of the first pass: fixed, so that its sums do not depend on the number of threads.
+constexpr std::size_t chunk_rows = 1024;
+
 struct SkinRules {
   SkinRule inner, outer;
 };
@@ -98,12 +101,31 @@ bool TypedStore<T>::tools_hold(World const& world) const {
 }
 
 template <class T>
-bool TypedStore<T>::grains_hold(World const& world) const {
+bool TypedStore<T>::chunk_holds(Spheres const& grains, std::size_t chunk) const {
   ListAge const& age = lists_.inner;
-  if (age.position.size() != world.grains.size()) return false;
-  for (std::size_t i = 0; i < world.grains.size(); ++i)
-    if ((world.grains.position[i] - age.position[i]).squaredNorm() > age.skin[i] * age.skin[i]) return false;
+  bool hold = true;
+  for (std::size_t i = chunk * chunk_rows; i < std::min(grains.size(), (chunk + 1) * chunk_rows); ++i)
+    hold &= (grains.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
+  return hold;
+}
+
+template <class T>
+bool TypedStore<T>::grains_hold(World const& world) const {
+  if (lists_.inner.position.size() != world.grains.size()) return false;
+  for (std::size_t c = 0; c * chunk_rows < world.grains.size(); ++c)
+    if (!chunk_holds(world.grains, c)) return false;
   return true;
+}
+
+/// Nobody has moved since the build that was just made.
+template <class T>
+void TypedStore<T>::start_travel() {
+  auto const& skin = lists_.inner.skin;
+  travel_.assign((skin.size() + chunk_rows - 1) / chunk_rows, 0.0);
+  least_skin_.resize(travel_.size());
+  for (std::size_t c = 0; c < travel_.size(); ++c)
+    least_skin_[c] = *std::min_element(skin.begin() + static_cast<std::ptrdiff_t>(c * chunk_rows),
+                                       skin.begin() + static_cast<std::ptrdiff_t>(std::min(skin.size(), (c + 1) * chunk_rows)));
 }
 
 /// A new inner list fits into the outer one if what each grain has moved already and its new skin stay within the
@@ -151,28 +173,29 @@ void TypedStore<T>::full_build(World& world, double dt) {
 template <class T>
 double TypedStore<T>::kick_and_drift(World& world, double dt) {
   Spheres& g = world.grains;
-  ListAge const& age = lists_.inner;
-  bool const has_list = age.position.size() == g.size();
   places_.resize(g.size());
   motions_.resize(g.size());
-  // Chunks of fixed size: the sum does not depend on the number of threads.
-  constexpr std::size_t chunk = 1024;
-  std::vector<double> power((g.size() + chunk - 1) / chunk, 0.0);
+  std::size_t const n_chunks = (g.size() + chunk_rows - 1) / chunk_rows;
+  bool const has_list = lists_.inner.position.size() == g.size();
+  // After a restart nothing is known of the way so far: every chunk is measured until the next build.
+  if (travel_.size() != n_chunks) travel_.assign(n_chunks, std::numeric_limits<double>::infinity());
+  least_skin_.resize(n_chunks, 0.0);
+  std::vector<double> power(n_chunks, 0.0);
   bool hold = has_list;
-#pragma omp parallel for schedule(static) reduction(&& : hold) if (power.size() > 1)
-  for (std::size_t c = 0; c < power.size(); ++c) {
-    double chunk_power = 0.0;
-    bool chunk_holds = has_list;
-    for (std::size_t i = c * chunk; i < std::min(g.size(), (c + 1) * chunk); ++i) {
+#pragma omp parallel for schedule(static) reduction(&& : hold) if (n_chunks > 1)
+  for (std::size_t c = 0; c < n_chunks; ++c) {
+    double chunk_power = 0.0, square_speed = 0.0;
+    for (std::size_t i = c * chunk_rows; i < std::min(g.size(), (c + 1) * chunk_rows); ++i) {
       half_kick(g, i, dt);
       g.position[i] += dt * g.velocity[i];
       write_record(g, i, places_[i], motions_[i]);
       chunk_power += g.mass[i] * world.gravity.dot(g.velocity[i]);
-      if (has_list)
-        chunk_holds &= (g.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
+      square_speed = std::max(square_speed, g.velocity[i].squaredNorm());
     }
     power[c] = chunk_power;
-    hold = hold && chunk_holds;
+    // The bound on the way spares most steps from looking where each grain was at the last build.
+    travel_[c] += (1.0 + 1e-9) * dt * std::sqrt(square_speed);
+    if (has_list && travel_[c] > least_skin_[c]) hold = hold && chunk_holds(g, c);
   }
   grains_hold_ = hold;
   double total = 0.0;
@@ -189,6 +212,7 @@ void TypedStore<T>::refresh(World& world, double dt) {
     write_records(world);  // the grains stand in a new order
   }
   grains_hold_ = true;
+  start_travel();
   build_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 

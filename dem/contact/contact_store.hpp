@@ -48,6 +48,8 @@ private:
   double reach(World const& world) const;
   bool tools_hold(World const& world) const;
   bool grains_hold(World const& world) const;
+  bool chunk_holds(Spheres const& grains, std::size_t chunk) const;
+  void start_travel();
   bool try_inner_build(World const& world, double dt);
   void full_build(World& world, double dt);
   void write_records(World const& world);
@@ -64,7 +66,9 @@ private:
   ContactLists<T> lists_;
   std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
-  bool grains_hold_ = false;  ///< no grain has left its inner skin since the last drift
+  bool grains_hold_ = false;        ///< no grain has left its inner skin since the last drift
+  std::vector<double> travel_;      ///< [m], bound on how far any grain of a chunk has moved since the last build
+  std::vector<double> least_skin_;  ///< [m], of each chunk
   double build_seconds_ = 0.0;
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace dem {
 
@@ -39,43 +40,53 @@ private:
   ContactBlock<T>& block_;
 };
 
+/// A pair of the inner list by rows, on its way to slots.
+struct RowPair {
+  std::uint32_t owner, partner;
+};
+
 template <class T>
-void list_pairs(World const& world, double reach, ContactLists<T> const& lists, ContactBlock<T>& block) {
+std::vector<RowPair> list_pairs(World const& world, double reach, ContactLists<T> const& lists,
+                                ContactBlock<T> const& block) {
   auto const& x = lists.inner.position;
   auto const& skin = lists.inner.skin;
-  block.owner.clear();
-  block.partner.clear();
+  std::vector<RowPair> pairs;
   for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
     double const own = world.grains.radius[i] + skin[i] + reach;
     for (std::uint32_t j : lists.pairs.of(i)) {
       double const sum = own + world.grains.radius[j] + skin[j];
-      if ((x[i] - x[j]).squaredNorm() >= sum * sum) continue;
-      block.owner.push_back(i);
-      block.partner.push_back(j);
+      if ((x[i] - x[j]).squaredNorm() < sum * sum) pairs.push_back({i, j});
     }
   }
-  block.n_pairs = static_cast<std::uint32_t>(block.owner.size());
+  return pairs;
 }
 
-/// Foreign partners get records behind the block's own; owners and partners are padded for the gather stage.
+/// Gives every grain of the block's contacts a slot: its own grains in their order, then the foreign partners. Slots
+/// are short numbers, because the sweep is bound by what it reads; they are padded for the gather stage.
 template <class T>
-void number_partners(ContactBlock<T>& block) {
-  block.halo.clear();
-  for (std::uint32_t j : block.partner)
-    if (j >= block.end_row) block.halo.push_back(j);
-  std::ranges::sort(block.halo);
-  block.halo.erase(std::unique(block.halo.begin(), block.halo.end()), block.halo.end());
-  block.partner_slot.resize(block.n_pairs);
-  for (std::size_t k = 0; k < block.n_pairs; ++k) {
-    std::uint32_t const j = block.partner[k];
-    block.partner_slot[k] =
-        j < block.end_row
-            ? j - block.first_row
-            : block.n_rows() + static_cast<std::uint32_t>(std::ranges::lower_bound(block.halo, j) - block.halo.begin());
+void number_slots(std::vector<RowPair> const& pairs, ContactBlock<T>& block) {
+  block.rows.resize(block.n_rows());
+  std::iota(block.rows.begin(), block.rows.end(), block.first_row);
+  for (RowPair const& pair : pairs)
+    if (pair.partner >= block.end_row) block.rows.push_back(pair.partner);
+  auto const halo = block.rows.begin() + block.n_rows();
+  std::sort(halo, block.rows.end());
+  block.rows.erase(std::unique(halo, block.rows.end()), block.rows.end());
+  // A block of 512 grains has some hundred foreign partners; only a giant grain among dust could have more than fit.
+  VALIDATE(block.rows.size() <= 65536, "a grain touches more than 65536 others (the sizes of this powder differ too "
+                                       "much for one block of contacts). Are the diameters right?");
+  block.n_pairs = static_cast<std::uint32_t>(pairs.size());
+  std::size_t const full = (pairs.size() + 3u) / 4u * 4u;
+  block.owner.assign(full, 0);
+  block.partner.assign(full, 0);
+  auto const begin = block.rows.begin() + block.n_rows();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    std::uint32_t const j = pairs[k].partner;
+    block.owner[k] = static_cast<std::uint16_t>(pairs[k].owner - block.first_row);
+    block.partner[k] = static_cast<std::uint16_t>(
+        j < block.end_row ? j - block.first_row : std::lower_bound(begin, block.rows.end(), j) - block.rows.begin());
   }
-  block.owner.resize((block.n_pairs + 3u) / 4u * 4u, block.first_row);
-  block.partner.resize(block.owner.size(), block.first_row);
-  block.loads.resize(block.n_rows() + block.halo.size());
+  block.loads.resize(block.rows.size());
 }
 
 /// A patch may be followed without search while neither grain nor tool can bring the closest point to its rim.
@@ -138,8 +149,8 @@ void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoic
                 ContactLists<T> const& lists, ContactBlock<T>& block) {
   EXPECT(kernel.n_constants <= static_cast<int>(max_constants));
   Spheres const& grains = world.grains;
-  list_pairs(world, reach, lists, block);
-  number_partners(block);
+  auto const pairs = list_pairs(world, reach, lists, block);
+  number_slots(pairs, block);
   list_walls(world, reach, lists, block);
   block.wall_offset = padded<T>(block.n_pairs);
   block.stride = block.wall_offset + padded<T>(block.walls.size());
@@ -149,7 +160,7 @@ void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoic
 
   StreamWriter<T> stream(kernel, block);
   for (std::size_t k = 0; k < block.n_pairs; ++k) {
-    std::uint32_t const i = block.owner[k], j = block.partner[k];
+    auto const [i, j] = pairs[k];
     stream.write(k, table(grains.material[i], grains.material[j]), pair_size(grains, i, j), choice);
     stream.remember(k, carried.of(i), j, CarriedContacts<T>::between_grains);
   }

@@ -32,17 +32,21 @@ struct alignas(64) Batch {
 };
 
 template <class T>
-void gather_pairs(Batch<T>& b, std::uint32_t const* owner, std::uint32_t const* partner, std::size_t n,
+void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, std::size_t n,
                   SweepInput<T> const& in) {
+  std::uint16_t const* const owner = block.owner.data() + first;
+  std::uint16_t const* const partner = block.partner.data() + first;
+  std::uint32_t const* const rows = block.rows.data();
   for (std::size_t k = 0; k < n; k += 4) {
     Lanes<double> place[4];
     Lanes<T> velocity[4], spin_i[4], spin_j[4];
     for (std::size_t l = 0; l < 4; ++l) {
-      Lanes<double> const pi = load_lanes(&in.places[owner[k + l]].x);
-      Lanes<double> const pj = load_lanes(&in.places[partner[k + l]].x);
+      std::uint32_t const i = rows[owner[k + l]], j = rows[partner[k + l]];
+      Lanes<double> const pi = load_lanes(&in.places[i].x);
+      Lanes<double> const pj = load_lanes(&in.places[j].x);
       place[l] = __builtin_shufflevector(pi - pj, pi + pj, 0, 1, 2, 7);
-      MotionRecord<T> const& mi = in.motions[owner[k + l]];
-      MotionRecord<T> const& mj = in.motions[partner[k + l]];
+      MotionRecord<T> const& mi = in.motions[i];
+      MotionRecord<T> const& mj = in.motions[j];
       velocity[l] = load_lanes(&mi.vx) - load_lanes(&mj.vx);
       spin_i[l] = load_lanes(&mi.wx);
       spin_j[l] = load_lanes(&mj.wx);
@@ -205,8 +209,9 @@ void add(LoadRecord<T>& record, Lanes<T> force, Lanes<T> torque) {
 }
 
 template <class T>
-void scatter_pairs(Batch<T> const& b, std::size_t n, std::uint32_t const* owner, std::uint32_t const* slot,
-                   ContactBlock<T>& block) {
+void scatter_pairs(Batch<T> const& b, ContactBlock<T>& block, std::size_t first, std::size_t n) {
+  std::uint16_t const* const owner = block.owner.data() + first;
+  std::uint16_t const* const partner = block.partner.data() + first;
   LoadRecord<T>* const loads = block.loads.data();
   for (std::size_t k = 0; k < n; k += 4) {
     Lanes<T> zero = {};
@@ -218,8 +223,8 @@ void scatter_pairs(Batch<T> const& b, std::size_t n, std::uint32_t const* owner,
     transpose(tj[0], tj[1], tj[2], tj[3]);
     std::size_t const last = std::min<std::size_t>(4, n - k);
     for (std::size_t l = 0; l < last; ++l) {
-      add(loads[owner[k + l] - block.first_row], f[l], ti[l]);
-      add(loads[slot[k + l]], -f[l], tj[l]);
+      add(loads[owner[k + l]], f[l], ti[l]);
+      add(loads[partner[k + l]], -f[l], tj[l]);
     }
   }
 }
@@ -242,11 +247,11 @@ void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
   std::fill(block.loads.begin(), block.loads.end(), LoadRecord<T>{});
   for (std::size_t k = 0; k < block.n_pairs; k += batch) {
     std::size_t const n = std::min(batch, block.n_pairs - k), full = padded<T>(n);
-    gather_pairs(b, block.owner.data() + k, block.partner.data() + k, (n + 3) / 4 * 4, in);
+    gather_pairs(b, block, k, (n + 3) / 4 * 4, in);
     blank(b, n, full);
     form_gaps(b, full);
     evaluate_batch<Model>(b, full, block, k, in, power);
-    scatter_pairs(b, n, block.owner.data() + k, block.partner_slot.data() + k, block);
+    scatter_pairs(b, block, k, n);
   }
   std::vector<SurfacePoint> found;
   for (std::size_t k = 0; k < block.walls.size(); k += batch) {
