@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <exception>
 #include <functional>
 #include <sstream>
@@ -122,6 +123,7 @@ bool compare_with_peer(Bench const& bench, int rounds) {
     full_threads.push_back(one_full.wall_seconds / our_step(bench, "double", 2).wall_seconds);
     mixed_threads.push_back(one_mixed.wall_seconds / our_step(bench, "mixed", 2).wall_seconds);
     fmt::print("round {}: load {}\n", round + 1, crosscode::read_text("/proc/loadavg").substr(0, 4));
+    std::fflush(stdout);
   }
   print_row("LIGGGHTS, double", "CPU ms per step", peer);
   print_row("presscheck, double", "CPU ms per step", full);
