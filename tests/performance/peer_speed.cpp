@@ -16,22 +16,24 @@
 #include <sstream>
 
 /// peer_speed [ROUNDS [PACKING GAP]]
-/// Our steps against LIGGGHTS' on one dense bed, alternating, per CPU second and thread; two threads against one; the
-/// share of list builds and of output; memory. Every cost of a step is that of a long run less that of a short one, so
-/// that starting up cancels. Exit status 1 if a bar is missed. Run it on an idle machine.
+/// Our steps against LIGGGHTS' on one dense bed, alternating, per CPU second and thread; two
+/// threads against one; the share of list builds and of output; memory. Every cost of a step is
+/// that of a long run less that of a short one, so that starting up cancels. Exit status 1 if a bar
+/// is missed. Run it on an idle machine.
 namespace performance {
 namespace {
 
 using crosscode::ProcessCost;
 
-// The first steps after reading a packing are not those of a dense bed: without its tangential springs it flinches.
+// The first steps after reading a packing are not those of a dense bed: without its tangential
+// springs it flinches.
 constexpr long n_short = 800, n_long = 2400;
 
 struct Bench {
   std::filesystem::path folder;
   DenseBed bed;
   dem::Packing packing;
-  double dt;  ///< [s]
+  double dt; ///< [s]
 };
 
 ProcessCost difference(ProcessCost const& longer, ProcessCost const& shorter) {
@@ -49,18 +51,22 @@ ProcessCost run_peer(Bench const& bench, long n_steps) {
                                   .record_every = 1'000'000,
                                   .moves = {{.speed = 0.0, .n_steps = n_steps, .dt = bench.dt}}};
   write_press_deck(deck, bench.packing, folder);
-  auto const cost = crosscode::run_program({crosscode::find_program("liggghts", "liggghts"), "-in", "in.press"}, folder);
-  if (cost.exit_status != 0) throw std::runtime_error("liggghts failed, see " + folder.string());
+  auto const cost = crosscode::run_program(
+      {crosscode::find_program("liggghts", "liggghts"), "-in", "in.press"}, folder);
+  if (cost.exit_status != 0)
+    throw std::runtime_error("liggghts failed, see " + folder.string());
   return cost;
 }
 
 ProcessCost run_ours(Bench const& bench, std::string const& precision, long n_steps, int threads,
                      std::filesystem::path const& packing) {
-  auto const cost = crosscode::run_program({STEP_DENSE_PROGRAM, std::filesystem::absolute(packing).string(),
-                                            fmt::format("{}", bench.bed.bore_diameter), fmt::format("{}", bench.bed.gap),
-                                            precision, std::to_string(n_steps)},
-                                           bench.folder, threads);
-  if (cost.exit_status != 0) throw std::runtime_error(crosscode::read_text(bench.folder / "output.txt"));
+  auto const cost =
+      crosscode::run_program({STEP_DENSE_PROGRAM, std::filesystem::absolute(packing).string(),
+                              fmt::format("{}", bench.bed.bore_diameter),
+                              fmt::format("{}", bench.bed.gap), precision, std::to_string(n_steps)},
+                             bench.folder, threads);
+  if (cost.exit_status != 0)
+    throw std::runtime_error(crosscode::read_text(bench.folder / "output.txt"));
   return cost;
 }
 
@@ -77,23 +83,28 @@ double list_share(Bench const& bench) {
   return in_builds / wall;
 }
 
-/// Part of a run's CPU time that curves, pictures and measures at their default intervals take [1], while the bed
-/// stands for 5 ms.
+/// Part of a run's CPU time that curves, pictures and measures at their default intervals take [1],
+/// while the bed stands for 5 ms.
 double output_share(Bench const& bench) {
   auto const run = [&](std::vector<std::string> const& entries) {
     crosscode::write_text(bench.folder / "hold.prm", "set Title = Dense bed\n");
-    std::vector<std::string> command{PRESSCHECK_PROGRAM, "run", "hold.prm", "-o", "hold", "--force", "--quiet"};
-    for (std::string const& entry : entries) command.insert(command.end(), {"--set", entry});
+    std::vector<std::string> command{PRESSCHECK_PROGRAM, "run",    "hold.prm", "-o", "hold",
+                                     "--force",          "--quiet"};
+    for (std::string const& entry : entries)
+      command.insert(command.end(), {"--set", entry});
     for (std::string const& entry :
          {std::string("Powder/Fill method=file"),
           "Powder/Fill file=" + std::filesystem::absolute(bench.bed.packing_file).string(),
-          fmt::format("Powder/Fill height={} m", bench.bed.gap), std::string("Tooling/Walls=analytic"),
-          std::string("Press programme/Stage 1/Kind=free"), std::string("Press programme/Stage 1/Duration=5 ms"),
-          std::string("Press programme/Stage 2/Kind=none"), std::string("Press programme/Stage 3/Kind=none"),
+          fmt::format("Powder/Fill height={} m", bench.bed.gap),
+          std::string("Tooling/Walls=analytic"), std::string("Press programme/Stage 1/Kind=free"),
+          std::string("Press programme/Stage 1/Duration=5 ms"),
+          std::string("Press programme/Stage 2/Kind=none"),
+          std::string("Press programme/Stage 3/Kind=none"),
           std::string("Press programme/Stage 4/Kind=none")})
       command.insert(command.end(), {"--set", entry});
     auto const cost = crosscode::run_program(command, bench.folder);
-    if (cost.exit_status != 0) throw std::runtime_error(crosscode::read_text(bench.folder / "output.txt"));
+    if (cost.exit_status != 0)
+      throw std::runtime_error(crosscode::read_text(bench.folder / "output.txt"));
     return cost.cpu_seconds;
   };
   double const without = run({"Output/Record interval=1 s", "Output/Snapshot interval=0 s"});
@@ -115,23 +126,26 @@ bool compare_with_peer(Bench const& bench, int rounds) {
   for (int round = 0; round < rounds; ++round) {
     auto const peer_short = run_peer(bench, n_short);
     peer.push_back(1e3 * difference(run_peer(bench, n_long), peer_short).cpu_seconds);
-    ProcessCost const one_full = our_step(bench, "double", 1), one_mixed = our_step(bench, "mixed", 1);
+    ProcessCost const one_full = our_step(bench, "double", 1),
+                      one_mixed = our_step(bench, "mixed", 1);
     full.push_back(1e3 * one_full.cpu_seconds);
     mixed.push_back(1e3 * one_mixed.cpu_seconds);
     full_ratio.push_back(peer.back() / full.back());
     mixed_ratio.push_back(peer.back() / mixed.back());
     full_threads.push_back(one_full.wall_seconds / our_step(bench, "double", 2).wall_seconds);
     mixed_threads.push_back(one_mixed.wall_seconds / our_step(bench, "mixed", 2).wall_seconds);
-    fmt::print("round {}: load {}\n", round + 1, crosscode::read_text("/proc/loadavg").substr(0, 4));
+    fmt::print("round {}: load {}\n", round + 1,
+               crosscode::read_text("/proc/loadavg").substr(0, 4));
     std::fflush(stdout);
   }
   print_row("LIGGGHTS, double", "CPU ms per step", peer);
   print_row("presscheck, double", "CPU ms per step", full);
   print_row("presscheck, mixed", "CPU ms per step", mixed);
-  bool const ok[] = {print_row("LIGGGHTS / presscheck, double", "per CPU second", full_ratio, at_least(3.5)),
-                     print_row("LIGGGHTS / presscheck, mixed", "per CPU second", mixed_ratio, at_least(6.0)),
-                     print_row("two threads / one, double", "wall time", full_threads, at_least(1.7)),
-                     print_row("two threads / one, mixed", "wall time", mixed_threads, at_least(1.7))};
+  bool const ok[] = {
+      print_row("LIGGGHTS / presscheck, double", "per CPU second", full_ratio, at_least(3.5)),
+      print_row("LIGGGHTS / presscheck, mixed", "per CPU second", mixed_ratio, at_least(6.0)),
+      print_row("two threads / one, double", "wall time", full_threads, at_least(1.7)),
+      print_row("two threads / one, mixed", "wall time", mixed_threads, at_least(1.7))};
   return std::ranges::all_of(ok, std::identity{});
 }
 
@@ -139,8 +153,10 @@ bool measure_overheads(Bench const& bench) {
   bool all_ok = true;
   for (std::string const precision : {"double", "mixed"}) {
     run_ours(bench, precision, n_long, 1, bench.bed.packing_file);
-    all_ok &= print_row("list builds, " + precision, "share of time", {list_share(bench)}, at_most(0.1));
-    all_ok &= print_row("memory, " + precision, "bytes per grain", {bytes_per_grain(bench, precision)}, at_most(1000.0));
+    all_ok &=
+        print_row("list builds, " + precision, "share of time", {list_share(bench)}, at_most(0.1));
+    all_ok &= print_row("memory, " + precision, "bytes per grain",
+                        {bytes_per_grain(bench, precision)}, at_most(1000.0));
   }
   all_ok &= print_row("records and pictures", "share of time", {output_share(bench)}, at_most(0.1));
   return all_ok;
@@ -150,23 +166,27 @@ Bench prepare(int argc, char** argv) {
   Bench bench{.folder = "peer_speed", .bed = {}, .packing = {}, .dt = 0.0};
   std::filesystem::create_directories(bench.folder);
   bench.bed.packing_file = argc > 3 ? std::filesystem::path(argv[2]) : bench.folder / "dense.csv";
-  if (argc > 3) bench.bed.gap = std::stod(argv[3]);
-  else if (!std::filesystem::exists(bench.bed.packing_file)) press_dense_bed(bench.bed);
+  if (argc > 3)
+    bench.bed.gap = std::stod(argv[3]);
+  else if (!std::filesystem::exists(bench.bed.packing_file))
+    press_dense_bed(bench.bed);
   bench.packing = dem::read_packing(bench.bed.packing_file, crosscode::seed_components());
   bench.dt = step_of(stand_still(bench.bed, dem::Precision::full));
   return bench;
 }
 
-}  // namespace
-}  // namespace performance
+} // namespace
+} // namespace performance
 
 int main(int argc, char** argv) {
   try {
     auto const bench = performance::prepare(argc, argv);
     fmt::print("{}, {} grains, Z = {:.2f}, law hertz + mindlin + sjkr2, step {:.4g} s\n"
-               "LIGGGHTS: Debian's build (baseline x86-64, contact model not in its optimised list); steps {} to {}\n",
-               performance::processor_name(), bench.packing.size(), crosscode::coordination(bench.packing), bench.dt,
-               performance::n_short, performance::n_long);
+               "LIGGGHTS: Debian's build (baseline x86-64, contact model not in its optimised "
+               "list); steps {} to {}\n",
+               performance::processor_name(), bench.packing.size(),
+               crosscode::coordination(bench.packing), bench.dt, performance::n_short,
+               performance::n_long);
     bool const is_fast = performance::compare_with_peer(bench, argc > 1 ? std::stoi(argv[1]) : 5);
     bool const is_lean = performance::measure_overheads(bench);
     return is_fast && is_lean ? 0 : 1;

@@ -33,9 +33,11 @@ dem::Vec3 anywhere(dem::FillVolume const& volume, dem::RandomStream& random) {
   return {off_axis * std::cos(angle), off_axis * std::sin(angle), volume.height * random.uniform()};
 }
 
-}  // namespace
+} // namespace
 
-std::span<dem::PackingComponent const> seed_components() { return components; }
+std::span<dem::PackingComponent const> seed_components() {
+  return components;
+}
 
 dem::Packing dense_bed(Bed const& bed) {
   dem::FillVolume const volume{.radius = bed.bore_diameter / 2.0, .height = bed.height};
@@ -51,7 +53,8 @@ dem::Packing dense_bed(Bed const& bed) {
     }
   if (!dem::relax_overlaps(centres, radii, volume, 20000).is_free)
     throw std::runtime_error("dense bed: grains still overlap (too dense). A larger height?");
-  for (std::size_t i = 0; i < packing.size(); ++i) packing[i].position = centres[i];
+  for (std::size_t i = 0; i < packing.size(); ++i)
+    packing[i].position = centres[i];
   return packing;
 }
 
@@ -90,4 +93,4 @@ double extent(dem::Packing const& packing) {
   return high - low;
 }
 
-}  // namespace crosscode
+} // namespace crosscode

@@ -14,9 +14,11 @@ Curve read_peer_curve(std::filesystem::path const& file) {
   for (std::string line; std::getline(in, line);) {
     std::istringstream words(line);
     CurvePoint p{};
-    if (words >> p.time >> p.gap >> p.upper_force >> p.lower_force) curve.push_back(p);
+    if (words >> p.time >> p.gap >> p.upper_force >> p.lower_force)
+      curve.push_back(p);
   }
-  if (curve.empty()) throw std::runtime_error(file.string() + ": no force recorded (the peer did not run)");
+  if (curve.empty())
+    throw std::runtime_error(file.string() + ": no force recorded (the peer did not run)");
   return curve;
 }
 
@@ -24,7 +26,8 @@ Curve curve_of(coupling::PressRecord const& record) {
   auto const time = record.column("time"), gap = record.column("punch_gap");
   auto const upper = record.column("upper_punch_force"), lower = record.column("lower_punch_force");
   Curve curve;
-  for (std::size_t k = 0; k < record.size(); ++k) curve.push_back({time[k], gap[k], upper[k], lower[k]});
+  for (std::size_t k = 0; k < record.size(); ++k)
+    curve.push_back({time[k], gap[k], upper[k], lower[k]});
   return curve;
 }
 
@@ -69,4 +72,4 @@ double largest_difference(Curve const& a, Curve const& b) {
   return largest;
 }
 
-}  // namespace crosscode
+} // namespace crosscode

@@ -20,26 +20,33 @@ dem::World build_world(StepsDeck const& deck) {
   auto const mgo = world.materials.add({"MgO", 3500.0, 250e6, 0.25});
   auto const alumina = world.materials.add({"Al2O3", 3000.0, 250e6, 0.25});
   auto const wall = world.materials.add({"wall", 8000.0, 200e6, 0.29});
-  dem::Interaction const grains{.restitution = 0.5, .static_friction = 0.2, .cohesion_energy_density = deck.cohesion};
+  dem::Interaction const grains{
+      .restitution = 0.5, .static_friction = 0.2, .cohesion_energy_density = deck.cohesion};
   dem::Interaction const at_wall{.restitution = 0.5, .static_friction = 0.2};
   for (auto const i : {mgo, alumina}) {
-    for (auto const j : {mgo, alumina}) world.materials.set_interaction(i, j, grains);
+    for (auto const j : {mgo, alumina})
+      world.materials.set_interaction(i, j, grains);
     world.materials.set_interaction(i, wall, at_wall);
   }
   world.grains = dem::make_spheres(deck.grains, seed_components());
   world.contacts = dem::ContactEngine(
-      {.friction_limit = deck.friction_limit == FrictionLimit::net ? "net" : "elastic", .precision = dem::Precision::full});
+      {.friction_limit = deck.friction_limit == FrictionLimit::net ? "net" : "elastic",
+       .precision = dem::Precision::full});
   if (deck.plate_speed) {
-    dem::TriangleSurface const plate{.name = "plate",
-                                     .vertices = {{-0.08, -0.04, 0.0}, {0.08, -0.04, 0.0}, {0.0, 0.08, 0.0}},
-                                     .triangles = {{0, 1, 2}}};
-    world.tools.push_back({.name = "plate", .surface = dem::SmoothSurface(plate), .material = wall});
+    dem::TriangleSurface const plate{
+        .name = "plate",
+        .vertices = {{-0.08, -0.04, 0.0}, {0.08, -0.04, 0.0}, {0.0, 0.08, 0.0}},
+        .triangles = {{0, 1, 2}}};
+    world.tools.push_back(
+        {.name = "plate", .surface = dem::SmoothSurface(plate), .material = wall});
     world.tools.back().velocity = {0.0, 0.0, *deck.plate_speed};
   }
   if (deck.bore_diameter) {
     // Long enough that no rim is near; recognised as the cylinder that its vertices stand on.
-    auto die = dem::make_die(*deck.bore_diameter, 4.0 * *deck.bore_diameter, *deck.bore_diameter, 1e-5);
-    for (dem::Vec3& vertex : die.vertices) vertex.z() -= 2.0 * *deck.bore_diameter;
+    auto die =
+        dem::make_die(*deck.bore_diameter, 4.0 * *deck.bore_diameter, *deck.bore_diameter, 1e-5);
+    for (dem::Vec3& vertex : die.vertices)
+      vertex.z() -= 2.0 * *deck.bore_diameter;
     world.tools.push_back({.name = "die", .surface = dem::SmoothSurface(die), .material = wall});
   }
   return world;
@@ -48,8 +55,9 @@ dem::World build_world(StepsDeck const& deck) {
 Frame frame_of(dem::World const& world) {
   Frame frame(world.grains.size());
   for (std::size_t row = 0; row < frame.size(); ++row)
-    frame[world.grains.id[row]] = {world.grains.position[row], world.grains.velocity[row], world.grains.spin[row],
-                                   world.grains.force[row], world.grains.torque[row]};
+    frame[world.grains.id[row]] = {world.grains.position[row], world.grains.velocity[row],
+                                   world.grains.spin[row], world.grains.force[row],
+                                   world.grains.torque[row]};
   return frame;
 }
 
@@ -68,7 +76,8 @@ std::vector<Frame> follow_with_liggghts(StepsDeck const& deck, std::string const
   auto const folder = std::filesystem::path("steps") / name;
   write_steps_deck(deck, folder);
   auto const cost = run_program({find_program("liggghts", "liggghts"), "-in", "in.steps"}, folder);
-  if (cost.exit_status != 0) throw std::runtime_error("liggghts failed:\n" + read_text(folder / "output.txt"));
+  if (cost.exit_status != 0)
+    throw std::runtime_error("liggghts failed:\n" + read_text(folder / "output.txt"));
   return read_steps(folder / "steps.txt", deck.grains.size());
 }
 
@@ -81,7 +90,8 @@ void expect_same_steps(StepsDeck const& deck, std::string const& name) {
   ASSERT_EQ(peer.size(), static_cast<std::size_t>(deck.n_steps) + 1);
   // The grains must have met, or equality would say nothing.
   double largest_force = 0.0;
-  for (Frame const& frame : peer) largest_force = std::max(largest_force, frame[0].force.norm());
+  for (Frame const& frame : peer)
+    largest_force = std::max(largest_force, frame[0].force.norm());
   ASSERT_GT(largest_force, 1e-3);
   auto const deviations = largest_deviations(peer, ours);
   char const* const names[] = {"position", "velocity", "spin", "force", "torque"};
@@ -106,20 +116,23 @@ TEST(StepsAgainstLiggghts, CohesivePairWithNetFrictionLimit) {
 }
 
 TEST(StepsAgainstLiggghts, CohesivePairWithElasticFrictionLimit) {
-  expect_same_steps({.grains = oblique_pair(), .friction_limit = FrictionLimit::elastic}, "cohesive_elastic");
+  expect_same_steps({.grains = oblique_pair(), .friction_limit = FrictionLimit::elastic},
+                    "cohesive_elastic");
 }
 
 TEST(StepsAgainstLiggghts, GrainSlidesOnAMovingPlate) {
-  dem::Packing const grain{{{0.0, 0.0, 0.251e-3}, 0.5e-3, 0, {0.3, -0.1, -0.1}, {100.0, 200.0, -50.0}}};
+  dem::Packing const grain{
+      {{0.0, 0.0, 0.251e-3}, 0.5e-3, 0, {0.3, -0.1, -0.1}, {100.0, 200.0, -50.0}}};
   expect_same_steps({.grains = grain, .plate_speed = 0.2, .n_steps = 600}, "plate");
 }
 
 TEST(StepsAgainstLiggghts, GrainSlidesAlongTheBore) {
   // 5 um from the wall of a 22.05 mm bore, thrown outwards, sideways and along.
   dem::Vec3 const outwards(0.6, 0.8, 0.0);
-  dem::Packing const grain{{(11.025e-3 - 0.505e-3) * outwards, 1e-3, 0, {0.3, -0.1, 0.15}, {100.0, 200.0, -50.0}}};
+  dem::Packing const grain{
+      {(11.025e-3 - 0.505e-3) * outwards, 1e-3, 0, {0.3, -0.1, 0.15}, {100.0, 200.0, -50.0}}};
   expect_same_steps({.grains = grain, .bore_diameter = 22.05e-3, .n_steps = 3000}, "bore");
 }
 
-}  // namespace
-}  // namespace crosscode
+} // namespace
+} // namespace crosscode

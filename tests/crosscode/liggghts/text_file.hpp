@@ -12,7 +12,8 @@ namespace crosscode {
 inline void write_text(std::filesystem::path const& file, std::string const& text) {
   std::ofstream out(file);
   out << text;
-  if (!out.flush()) throw std::runtime_error(file.string() + ": cannot be written. Is the disk full?");
+  if (!out.flush())
+    throw std::runtime_error(file.string() + ": cannot be written. Is the disk full?");
 }
 
 /// Everything in the file; empty if there is none.
@@ -23,4 +24,4 @@ inline std::string read_text(std::filesystem::path const& file) {
   return text.str();
 }
 
-}  // namespace crosscode
+} // namespace crosscode
