@@ -215,7 +215,8 @@ std::vector<Entry> running_entries() {
       {"Time stepping/Safety", quantity, ratio, "0.8", above_up_to(0.0, 1.0), "",
        "Adaptive step as a fraction of the stable one."},
       {"Time stepping/Largest relative overlap", quantity, ratio, "1.8", above_up_to(0.0, 2.0), "",
-       "Guard: largest overlap over the smaller radius. At 2 the smaller grain is inside; the seed's softest setup comes to 1.4."},
+       "Guard: largest overlap over the smaller radius. At 2 the smaller grain is inside; the "
+       "seed's softest setup comes to 1.4."},
       {"Time stepping/Largest energy error", quantity, ratio, "0.1", above_up_to(0.0, 10.0), "",
        "Guard: energy that is not accounted for, over the work done so far."},
       {"Output/Record interval", quantity, time, "0.25 ms", above_up_to(0.0, 1e6), "",

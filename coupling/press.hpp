@@ -14,23 +14,24 @@
 
 namespace coupling {
 
-/// Everything of a press cycle: what was asked for, the grains and tools, the programme and what has been recorded.
+/// Everything of a press cycle: what was asked for, the grains and tools, the programme and what
+/// has been recorded.
 struct Press {
   Case setup;
   dem::World world;
   PressProgramme programme;
   PressRecord record;
   PressTally tally;
-  double grain_mass = 0.0;  ///< [kg], of all grains; kept, because a sum in another order is another number
+  double grain_mass =
+      0.0; ///< [kg], of all grains; kept, because a sum in another order is another number
 
-  /// Calls `write(name, value)` for all that a restart must restore; what the case rebuilds is left out.
-  template <class Writer>
-  void save(Writer&& write);
+  /// Calls `write(name, value)` for all that a restart must restore; what the case rebuilds is left
+  /// out.
+  template <class Writer> void save(Writer&& write);
 
   /// Takes everything back by `read(name, value)`, in the order of `save`.
   /// @throws dem::InvalidInput if it does not belong to this case
-  template <class Reader>
-  void load(Reader&& read);
+  template <class Reader> void load(Reader&& read);
 };
 
 /// Shows a record as three flat arrays and takes it back from them: a reader may have changed them.
@@ -40,24 +41,27 @@ void visit_record(PressRecord& record, std::span<Stage const> stages, Field&& fi
   std::vector<std::uint32_t> stage_of_row;
   std::vector<double> values;
   for (auto const& name : record.stages())
-    stage_of_row.push_back(static_cast<std::uint32_t>(
-        std::ranges::find(stages, name, &Stage::name) - stages.begin()));
-  for (auto const& row : record.rows()) values.insert(values.end(), row.begin(), row.end());
+    stage_of_row.push_back(
+        static_cast<std::uint32_t>(std::ranges::find(stages, name, &Stage::name) - stages.begin()));
+  for (auto const& row : record.rows())
+    values.insert(values.end(), row.begin(), row.end());
   field("record/stage", stage_of_row);
   field("record/values", values);
   VALIDATE(values.size() == width * stage_of_row.size() &&
-               std::ranges::all_of(stage_of_row, [&](std::uint32_t stage) { return stage < stages.size(); }),
-           "restart: its record does not fit the case's stages and columns. Is the file from another version?");
+               std::ranges::all_of(stage_of_row,
+                                   [&](std::uint32_t stage) { return stage < stages.size(); }),
+           "restart: its record does not fit the case's stages and columns. Is the file from "
+           "another version?");
   PressRecord restored(record.columns());
   for (std::size_t k = 0; k < stage_of_row.size(); ++k) {
     auto const first = values.begin() + static_cast<std::ptrdiff_t>(k * width);
-    restored.add_row(stages[stage_of_row[k]].name, {first, first + static_cast<std::ptrdiff_t>(width)});
+    restored.add_row(stages[stage_of_row[k]].name,
+                     {first, first + static_cast<std::ptrdiff_t>(width)});
   }
   record = std::move(restored);
 }
 
-template <class Writer>
-void Press::save(Writer&& write) {
+template <class Writer> void Press::save(Writer&& write) {
   auto state = dem::capture_state(world);
   dem::visit_state(state, write);
   programme.visit_state(write);
@@ -66,8 +70,7 @@ void Press::save(Writer&& write) {
   write("grains/total_mass", grain_mass);
 }
 
-template <class Reader>
-void Press::load(Reader&& read) {
+template <class Reader> void Press::load(Reader&& read) {
   dem::WorldState state;
   dem::visit_state(state, read);
   dem::restore_state(world, state);
@@ -77,4 +80,4 @@ void Press::load(Reader&& read) {
   read("grains/total_mass", grain_mass);
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -10,23 +10,28 @@
 namespace coupling {
 namespace {
 
-// A record or snapshot due at k times its interval is taken at the first step that reaches it but for rounding.
+// A record or snapshot due at k times its interval is taken at the first step that reaches it but
+// for rounding.
 constexpr double rounding = 1e-9;
 
 // A peak between two records gets its own row once the force has fallen this much below it.
 constexpr double peak_resolution = 0.005;
 
-}  // namespace
+} // namespace
 
-PressCycle::PressCycle(Press& press, RunFolder& folder, Progress& progress, StopRequest stop_is_requested)
-    : press_(press), folder_(folder), progress_(progress), stop_is_requested_(std::move(stop_is_requested)) {}
+PressCycle::PressCycle(Press& press, RunFolder& folder, Progress& progress,
+                       StopRequest stop_is_requested)
+    : press_(press), folder_(folder), progress_(progress),
+      stop_is_requested_(std::move(stop_is_requested)) {}
 
 RunEnd PressCycle::run(std::string const& last_stage) {
   PressProgramme& programme = press_.programme;
-  if (press_.record.size() == 0) begin();
+  if (press_.record.size() == 0)
+    begin();
   while (!programme.is_done()) {
     std::string const name = programme.stage().name;
-    if (!programme.is_started()) start_stage();
+    if (!programme.is_started())
+      start_stage();
     while (!programme.stage_has_ended(press_.world)) {
       step();
       record_if_due();
@@ -38,7 +43,8 @@ RunEnd PressCycle::run(std::string const& last_stage) {
       }
     }
     finish_stage();
-    if (name == last_stage) return RunEnd::stage_reached;
+    if (name == last_stage)
+      return RunEnd::stage_reached;
   }
   return RunEnd::finished;
 }
@@ -49,7 +55,8 @@ void PressCycle::begin() {
   press_.tally.axial_force = axial_force_on_grains(press_);
   press_.tally.smallest_gap = punch_gap(press_.world, press_.programme.faces());
   record();
-  if (press_.setup.output.snapshot_interval > 0.0) folder_.write_snapshot(press_);
+  if (press_.setup.output.snapshot_interval > 0.0)
+    folder_.write_snapshot(press_);
 }
 
 void PressCycle::start_stage() {
@@ -58,14 +65,17 @@ void PressCycle::start_stage() {
   auto const& tools = press_.programme.stage().tools;
   bool const releases_die = releases && std::ranges::count(tools, "die") > 0;
   double const before = releases ? total_energy(world) : 0.0;
-  if (releases_die) measure_compact(press_);
+  if (releases_die)
+    measure_compact(press_);
   press_.programme.start_stage(world);
-  if (!releases) return;
+  if (!releases)
+    return;
   // Forces and contacts must forget the tools before anything is measured.
   dem::prepare(world);
   press_.tally.released_energy += before - total_energy(world);
   press_.tally.axial_force = axial_force_on_grains(press_);
-  if (releases_die) measure_released_shape(press_);
+  if (releases_die)
+    measure_released_shape(press_);
 }
 
 void PressCycle::step() {
@@ -91,21 +101,25 @@ void PressCycle::record_if_due() {
   PressTally& tally = press_.tally;
   double const force = squeezing_force(tool_named(press_.world, "upper_punch"));
   bool const interval_is_over = press_.world.time >= static_cast<double>(tally.n_records + 1) *
-                                                         press_.setup.output.record_interval * (1.0 - rounding);
+                                                         press_.setup.output.record_interval *
+                                                         (1.0 - rounding);
   bool const peak_was_missed = tally.max_force > (1.0 + peak_resolution) * tally.seen_peak &&
                                force < (1.0 - peak_resolution) * tally.max_force;
   if (interval_is_over)
     tally.n_records = static_cast<std::uint64_t>(
         std::floor(press_.world.time / press_.setup.output.record_interval * (1.0 + rounding)));
-  if (interval_is_over || peak_was_missed) record();
-  if (progress_.is_due(press_.programme.run_progress(press_.world))) show_progress();
+  if (interval_is_over || peak_was_missed)
+    record();
+  if (progress_.is_due(press_.programme.run_progress(press_.world)))
+    show_progress();
 }
 
 void PressCycle::record() {
   PressTally& tally = press_.tally;
   bool const is_there = press_.record.size() > 0 && tally.last_record == press_.world.time &&
                         press_.record.stages().back() == press_.programme.stage().name;
-  if (is_there) return;
+  if (is_there)
+    return;
   tally.last_record = press_.world.time;
   tally.seen_peak = tally.max_force;
   Reading const now = read_press(press_);
@@ -122,21 +136,23 @@ void PressCycle::record() {
       std::max(tally.momentum_error,
                std::abs(axial_momentum(press_.world) - tally.start_momentum - tally.axial_impulse));
   if (std::isfinite(tally.smallest_step))
-    tally.step_to_collision =
-        std::max(tally.step_to_collision, step_to_collision_time(press_, press_.programme.present_step()));
+    tally.step_to_collision = std::max(
+        tally.step_to_collision, step_to_collision_time(press_, press_.programme.present_step()));
   press_.record.add_row(press_.programme.stage().name, row_of(now));
 }
 
 void PressCycle::save_if_due() {
   double const interval = press_.setup.output.snapshot_interval;
   PressTally& tally = press_.tally;
-  if (interval > 0.0 &&
-      press_.world.time >= static_cast<double>(tally.n_snapshots + 1) * interval * (1.0 - rounding)) {
-    tally.n_snapshots = static_cast<std::uint64_t>(std::floor(press_.world.time / interval * (1.0 + rounding)));
+  if (interval > 0.0 && press_.world.time >= static_cast<double>(tally.n_snapshots + 1) * interval *
+                                                 (1.0 - rounding)) {
+    tally.n_snapshots =
+        static_cast<std::uint64_t>(std::floor(press_.world.time / interval * (1.0 + rounding)));
     folder_.write_snapshot(press_);
   }
   auto const seconds = std::chrono::duration<double>(Clock::now() - last_restart_).count();
-  if (seconds < press_.setup.output.restart_interval) return;
+  if (seconds < press_.setup.output.restart_interval)
+    return;
   keep_clock();
   folder_.write_restart(press_);
   folder_.write_curves(press_);
@@ -147,12 +163,14 @@ void PressCycle::finish_stage() {
   PressProgramme& programme = press_.programme;
   std::string const name = programme.stage().name;
   bool const is_free = programme.stage().kind == StageKind::free;
-  press_.tally.step_to_stable = std::max(press_.tally.step_to_stable,
-                                         programme.present_step() / dem::stable_time_step(press_.world));
+  press_.tally.step_to_stable = std::max(
+      press_.tally.step_to_stable, programme.present_step() / dem::stable_time_step(press_.world));
   record();
-  if (is_free) measure_final_shape(press_);
+  if (is_free)
+    measure_final_shape(press_);
   programme.finish_stage(press_.world);
-  if (programme.is_done()) conclude();
+  if (programme.is_done())
+    conclude();
   keep_clock();
   folder_.write_stage_restart(press_, name);
   folder_.write_curves(press_);
@@ -160,8 +178,10 @@ void PressCycle::finish_stage() {
 
 void PressCycle::conclude() {
   // A press that keeps its die is measured where it ends.
-  if (std::isnan(press_.tally.compact_height)) measure_compact(press_);
-  if (press_.setup.output.snapshot_interval > 0.0) folder_.write_snapshot(press_);
+  if (std::isnan(press_.tally.compact_height))
+    measure_compact(press_);
+  if (press_.setup.output.snapshot_interval > 0.0)
+    folder_.write_snapshot(press_);
 }
 
 void PressCycle::show_progress() {
@@ -183,4 +203,4 @@ void PressCycle::keep_clock() {
   clock_ = now;
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -17,7 +17,8 @@ class PressCycle {
 public:
   using StopRequest = std::function<bool()>;
 
-  /// @param stop_is_requested  asked after every step; true writes a restart and ends the run as interrupted
+  /// @param stop_is_requested  asked after every step; true writes a restart and ends the run as
+  /// interrupted
   PressCycle(Press& press, RunFolder& folder, Progress& progress, StopRequest stop_is_requested);
 
   /// Runs the stages; records, guards, snapshots and restarts on the way.
@@ -47,4 +48,4 @@ private:
   Clock::time_point last_restart_ = clock_;
 };
 
-}  // namespace coupling
+} // namespace coupling

@@ -35,7 +35,8 @@ dem::Packing fill_at_random(Case const& setup) {
     ++row;
   }
   // Facets stand inside the bore by up to the chordal tolerance.
-  double const sagitta = setup.tooling.walls == WallKind::surface ? setup.tooling.chordal_tolerance : 0.0;
+  double const sagitta =
+      setup.tooling.walls == WallKind::surface ? setup.tooling.chordal_tolerance : 0.0;
   return dem::fill_cylinder(dem::count_grains(shares, setup.powder.total_mass),
                             {.radius = 0.5 * setup.tooling.bore_diameter,
                              .height = setup.powder.fill_height,
@@ -55,9 +56,9 @@ dem::Packing read_state(std::filesystem::path const& source, std::size_t n_compo
   auto const material = state.get<std::vector<std::uint8_t>>("state/grains/material");
   auto const id = state.get<std::vector<std::uint32_t>>("state/grains/id");
   auto const components = static_cast<std::size_t>(*std::ranges::max_element(material)) + 1;
-  VALIDATE(components <= n_components,
-           fmt::format("{}: its grains are of {} components, the case has {}. Is it the state of another powder?",
-                       file.string(), components, n_components));
+  VALIDATE(components <= n_components, fmt::format("{}: its grains are of {} components, the case "
+                                                   "has {}. Is it the state of another powder?",
+                                                   file.string(), components, n_components));
   dem::Packing packing(id.size());
   for (std::size_t row = 0; row < id.size(); ++row)
     packing[id[row]] = {.position = position[row],
@@ -68,28 +69,35 @@ dem::Packing read_state(std::filesystem::path const& source, std::size_t n_compo
   return packing;
 }
 
-}  // namespace
+} // namespace
 
 dem::MaterialTable make_materials(Case const& setup) {
   dem::MaterialTable materials;
-  for (Component const& component : setup.powder.components) materials.add(component.material);
+  for (Component const& component : setup.powder.components)
+    materials.add(component.material);
   auto const wall = materials.add(setup.tooling.material);
   for (std::uint8_t i = 0; i <= wall; ++i)
     for (std::uint8_t j = 0; j <= i; ++j)
-      materials.set_interaction(i, j, i == wall ? setup.contacts.grain_wall : setup.contacts.grain_grain);
+      materials.set_interaction(i, j,
+                                i == wall ? setup.contacts.grain_wall : setup.contacts.grain_grain);
   return materials;
 }
 
-std::uint8_t tool_material(Case const& setup) { return static_cast<std::uint8_t>(setup.powder.components.size()); }
+std::uint8_t tool_material(Case const& setup) {
+  return static_cast<std::uint8_t>(setup.powder.components.size());
+}
 
 dem::Spheres fill_die(Case const& setup) {
   auto const components = packing_components(setup.powder);
   switch (setup.powder.fill_method) {
-  case FillMethod::random: return dem::make_spheres(fill_at_random(setup), components);
-  case FillMethod::file: return dem::make_spheres(dem::read_packing(setup.powder.fill_file, components), components);
-  case FillMethod::state: return dem::make_spheres(read_state(setup.powder.fill_file, components.size()), components);
+  case FillMethod::random:
+    return dem::make_spheres(fill_at_random(setup), components);
+  case FillMethod::file:
+    return dem::make_spheres(dem::read_packing(setup.powder.fill_file, components), components);
+  case FillMethod::state:
+    return dem::make_spheres(read_state(setup.powder.fill_file, components.size()), components);
   }
   throw dem::ContractViolation("a way of filling without a branch");
 }
 
-}  // namespace coupling
+} // namespace coupling

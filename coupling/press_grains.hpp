@@ -16,4 +16,4 @@ std::uint8_t tool_material(Case const& setup);
 /// @throws dem::InvalidInput if they do not fit, or the file cannot be used
 dem::Spheres fill_die(Case const& setup);
 
-}  // namespace coupling
+} // namespace coupling

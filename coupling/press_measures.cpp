@@ -24,7 +24,8 @@ double count_outside(Press const& press) {
   dem::Tool const& die = tool_named(press.world, "die");
   dem::Tool const& upper = tool_named(press.world, "upper_punch");
   dem::Tool const& lower = tool_named(press.world, "lower_punch");
-  if (!die.present) return 0.0;  // on the open punch a grain may roll off
+  if (!die.present)
+    return 0.0; // on the open punch a grain may roll off
   double const top = upper.displacement.z() + press.programme.faces().upper;
   double const bottom = floor_of(press);
   auto const is_outside = [&](std::size_t i) {
@@ -34,7 +35,8 @@ double count_outside(Press const& press) {
            (lower.present && x.z() < bottom - R) || (upper.present && x.z() > top + R);
   };
   double n = 0.0;
-  for (std::size_t i = 0; i < grains.size(); ++i) n += is_outside(i) ? 1.0 : 0.0;
+  for (std::size_t i = 0; i < grains.size(); ++i)
+    n += is_outside(i) ? 1.0 : 0.0;
   return n;
 }
 
@@ -48,7 +50,8 @@ double radial_pressure(Press const& press, double bed_height, double compact_hei
 
 double inertia_force(dem::Spheres const& grains) {
   double force = 0.0;
-  for (dem::Vec3 const& f : grains.force) force += f.z();
+  for (dem::Vec3 const& f : grains.force)
+    force += f.z();
   return force;
 }
 
@@ -58,15 +61,18 @@ void read_energies(Press const& press, Reading& r) {
   r.kinetic_energy = dem::kinetic_energy(world.grains).total();
   r.elastic_energy = stored.elastic;
   r.cohesive_energy = stored.cohesive;
-  for (dem::Tool const& tool : world.tools) r.tool_work += tool.work;
+  for (dem::Tool const& tool : world.tools)
+    r.tool_work += tool.work;
   r.gravity_work = world.energy.gravity_work;
   r.normal_damping_loss = world.energy.normal_damping;
   r.tangential_work = world.energy.tangential_work;
   r.rolling_loss = world.energy.rolling_work;
   r.released_energy = press.tally.released_energy;
-  double const found = r.kinetic_energy + r.elastic_energy + r.cohesive_energy - press.tally.start_energy;
+  double const found =
+      r.kinetic_energy + r.elastic_energy + r.cohesive_energy - press.tally.start_energy;
   double const put_in = r.tool_work + r.gravity_work;
-  double const gone = r.normal_damping_loss + r.tangential_work + r.rolling_loss + r.released_energy;
+  double const gone =
+      r.normal_damping_loss + r.tangential_work + r.rolling_loss + r.released_energy;
   r.energy_error = found - (put_in - gone);
 }
 
@@ -79,7 +85,7 @@ void read_forces(Press const& press, Reading& r) {
                       inertia_force(press.world.grains);
 }
 
-}  // namespace
+} // namespace
 
 std::vector<PressRecord::Column> curve_columns() {
   return {{"time", "s"},
@@ -139,10 +145,11 @@ Reading read_press(Press const& press) {
   Reading r;
   r.time = world.time;
   r.punch_gap = punch_gap(world, press.programme.faces());
-  r.bed_height = r.punch_gap;  // rigid tools on a rigid frame stand where the machine puts them
+  r.bed_height = r.punch_gap; // rigid tools on a rigid frame stand where the machine puts them
   r.compact_height = dem::compact_extent(world.grains, floor_of(press)).height();
   r.mean_overlap = statistics.mean_overlap;
-  r.max_relative_overlap = std::max(statistics.max_relative_overlap, statistics.max_relative_tool_overlap);
+  r.max_relative_overlap =
+      std::max(statistics.max_relative_overlap, statistics.max_relative_tool_overlap);
   r.coordination = statistics.coordination;
   r.grains_outside = count_outside(press);
   r.wall_radial_pressure = radial_pressure(press, r.bed_height, r.compact_height);
@@ -159,11 +166,14 @@ double total_energy(dem::World const& world) {
 double axial_force_on_grains(Press const& press) {
   double force = press.grain_mass * press.world.gravity.z();
   for (dem::Tool const& tool : press.world.tools)
-    if (tool.present) force -= tool.force.z();
+    if (tool.present)
+      force -= tool.force.z();
   return force;
 }
 
-double axial_momentum(dem::World const& world) { return dem::momentum(world.grains).z(); }
+double axial_momentum(dem::World const& world) {
+  return dem::momentum(world.grains).z();
+}
 
 void measure_compact(Press& press) {
   dem::Spheres const& grains = press.world.grains;
@@ -182,10 +192,12 @@ void measure_released_shape(Press& press) {
 }
 
 void measure_final_shape(Press& press) {
-  if (press.tally.released_shape.empty()) return;
+  if (press.tally.released_shape.empty())
+    return;
   auto const shape = dem::compact_shape(press.world.grains, floor_of(press));
   press.tally.shape_similarity = dem::shape_similarity(press.tally.released_shape, shape);
-  press.tally.shape_quality = static_cast<std::uint64_t>(dem::shape_quality(press.tally.shape_similarity));
+  press.tally.shape_quality =
+      static_cast<std::uint64_t>(dem::shape_quality(press.tally.shape_similarity));
 }
 
-}  // namespace coupling
+} // namespace coupling

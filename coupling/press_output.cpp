@@ -52,14 +52,16 @@ void write_grains(Press const& press, fs::path const& file, GrainFields const& f
 }
 
 void write_tool_surfaces(Press const& press, fs::path const& file, ToolFields const& fields) {
-  std::vector<VtuField> const shown{{"tool", 1, std::span(fields.tool)}, {"traction [Pa]", fields.traction}};
+  std::vector<VtuField> const shown{{"tool", 1, std::span(fields.tool)},
+                                    {"traction [Pa]", fields.traction}};
   write_triangles_vtu(file, press.world.time, fields.vertices, fields.triangles, shown);
 }
 
-}  // namespace
+} // namespace
 
 RunFolder::RunFolder(fs::path folder, double time)
-    : folder_(std::move(folder)), grains_(folder_ / "grains.pvd", time), tools_(folder_ / "tools.pvd", time) {}
+    : folder_(std::move(folder)), grains_(folder_ / "grains.pvd", time),
+      tools_(folder_ / "tools.pvd", time) {}
 
 void RunFolder::write_inputs(Press const& press) const {
   write_file(folder_ / "case.resolved.prm", press.setup.resolved_text);
@@ -67,7 +69,8 @@ void RunFolder::write_inputs(Press const& press) const {
 }
 
 void RunFolder::write_snapshot(Press& press) {
-  if (press.tally.last_snapshot == press.world.time) return;
+  if (press.tally.last_snapshot == press.world.time)
+    return;
   press.tally.last_snapshot = press.world.time;
   fs::create_directories(folder_ / "snapshots");
   auto const index = grains_.size();
@@ -96,14 +99,17 @@ fs::path RunFolder::write_stage_restart(Press& press, std::string const& stage) 
   return file;
 }
 
-void RunFolder::write_curves(Press const& press) const { coupling::write_curves(folder_ / "curves.csv", press.record); }
+void RunFolder::write_curves(Press const& press) const {
+  coupling::write_curves(folder_ / "curves.csv", press.record);
+}
 
 void RunFolder::write_results(Press const& press) const {
   write_curves(press);
   Summary const summary = summarise(press);
   write_summary(folder_ / "summary.json", summary);
   std::vector<std::string> frames;
-  for (std::size_t k = 0; k < grains_.size(); ++k) frames.push_back(snapshot_name("grains", k, "h5"));
+  for (std::size_t k = 0; k < grains_.size(); ++k)
+    frames.push_back(snapshot_name("grains", k, "h5"));
   write_run_file(folder_ / "run.h5", press.record, summary,
                  {.version = PRESSCHECK_VERSION,
                   .case_text = press.setup.resolved_text,
@@ -121,4 +127,4 @@ std::string RunFolder::last_restart() const {
   }
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -8,7 +8,8 @@
 
 namespace coupling {
 
-/// Refuses a folder that cannot be written or holds something already, before anything is calculated.
+/// Refuses a folder that cannot be written or holds something already, before anything is
+/// calculated.
 /// @param overwrite  allow a folder that is not empty
 /// @throws dem::InvalidInput
 void check_run_folder(std::filesystem::path const& folder, bool overwrite);
@@ -20,7 +21,8 @@ void clear_run_folder(std::filesystem::path const& folder);
 /// The folder that holds a run's results (see coupling/README.md for its files).
 class RunFolder {
 public:
-  /// @param time  [s], of the state from which the run goes on; later snapshots of an earlier attempt are forgotten
+  /// @param time  [s], of the state from which the run goes on; later snapshots of an earlier
+  /// attempt are forgotten
   RunFolder(std::filesystem::path folder, double time);
 
   std::filesystem::path const& path() const { return folder_; }
@@ -55,4 +57,4 @@ private:
 /// report.html of a press.
 void write_press_report(Press const& press, std::filesystem::path const& file);
 
-}  // namespace coupling
+} // namespace coupling

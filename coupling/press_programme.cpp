@@ -29,9 +29,12 @@ ServoReading read_servo(dem::World const& world, Stage const& stage, PunchFaces 
 }
 
 /// Bound of a servo's speed [m/s]: the stage's own, or the seed's punch speed.
-double servo_speed(Stage const& stage) { return stage.speed != 0.0 ? std::abs(stage.speed) : 0.2; }
+double servo_speed(Stage const& stage) {
+  return stage.speed != 0.0 ? std::abs(stage.speed) : 0.2;
+}
 
-/// An upper bound of the bed's stiffness: its grains' material as one solid cylinder,  E A / gap,  A = V / gap.
+/// An upper bound of the bed's stiffness: its grains' material as one solid cylinder,  E A / gap,
+/// A = V / gap.
 double solid_stiffness(dem::World const& world, double gap) {
   double volume = 0.0;
   double modulus = 0.0;
@@ -44,11 +47,12 @@ double solid_stiffness(dem::World const& world, double gap) {
 
 auto& find_tool(auto& tools, std::string_view name) {
   auto const found = std::ranges::find(tools, name, &dem::Tool::name);
-  if (found == tools.end()) throw std::out_of_range("no tool is called " + std::string(name));
+  if (found == tools.end())
+    throw std::out_of_range("no tool is called " + std::string(name));
   return *found;
 }
 
-}  // namespace
+} // namespace
 
 double punch_gap(dem::World const& world, PunchFaces const& faces) {
   double const upper = tool_named(world, "upper_punch").displacement.z() + faces.upper;
@@ -56,18 +60,26 @@ double punch_gap(dem::World const& world, PunchFaces const& faces) {
   return upper - lower;
 }
 
-dem::Tool const& tool_named(dem::World const& world, std::string_view name) { return find_tool(world.tools, name); }
-
-dem::Tool& tool_named(dem::World& world, std::string_view name) { return find_tool(world.tools, name); }
-
-double squeezing_force(dem::Tool const& tool) {
-  if (!tool.present) return 0.0;
-  return tool.name == "upper_punch" ? tool.force.z() : 0.0 - tool.force.z();  // 0 - 0 is no negative zero
+dem::Tool const& tool_named(dem::World const& world, std::string_view name) {
+  return find_tool(world.tools, name);
 }
 
-PressProgramme::PressProgramme(std::vector<Stage> stages, PunchFaces faces, LongestStep longest_step, bool adaptive)
-    : stages_(std::move(stages)), faces_(faces), longest_step_(std::move(longest_step)), adaptive_(adaptive),
-      expected_lengths_(expected_lengths(stages_, faces.upper - faces.lower)) {}
+dem::Tool& tool_named(dem::World& world, std::string_view name) {
+  return find_tool(world.tools, name);
+}
+
+double squeezing_force(dem::Tool const& tool) {
+  if (!tool.present)
+    return 0.0;
+  return tool.name == "upper_punch" ? tool.force.z()
+                                    : 0.0 - tool.force.z(); // 0 - 0 is no negative zero
+}
+
+PressProgramme::PressProgramme(std::vector<Stage> stages, PunchFaces faces,
+                               LongestStep longest_step, bool adaptive)
+    : stages_(std::move(stages)), faces_(faces), longest_step_(std::move(longest_step)),
+      adaptive_(adaptive), expected_lengths_(expected_lengths(stages_, faces.upper - faces.lower)) {
+}
 
 void PressProgramme::start_stage(dem::World& world) {
   EXPECT(!is_done() && !is_started());
@@ -89,17 +101,21 @@ void PressProgramme::start_stage(dem::World& world) {
 
 double PressProgramme::planned_length(dem::World const& world) const {
   Stage const& s = stage();
-  if (s.kind == StageKind::release) return 0.0;
+  if (s.kind == StageKind::release)
+    return 0.0;
   double const limit = s.duration > 0.0 ? s.duration : unbounded;
-  if (s.kind != StageKind::move || s.until == Limit::time) return s.duration;
-  if (s.until == Limit::force) return limit;
+  if (s.kind != StageKind::move || s.until == Limit::time)
+    return s.duration;
+  if (s.until == Limit::force)
+    return limit;
   double const gap = punch_gap(world, faces_);
   double const length = (s.gap - gap) / gap_rate(s);
-  if (length >= 0.0 && length <= limit * (1.0 + rounding)) return length;
-  throw dem::PhysicsGuard(fmt::format(
-      "stage '{}': a gap of {:.6g} m is not reached from {:.6g} m at {:.6g} m/s within {:.6g} s. Give it more time, "
-      "or turn the speed's sign?",
-      s.name, s.gap, gap, s.speed, limit));
+  if (length >= 0.0 && length <= limit * (1.0 + rounding))
+    return length;
+  throw dem::PhysicsGuard(fmt::format("stage '{}': a gap of {:.6g} m is not reached from {:.6g} m "
+                                      "at {:.6g} m/s within {:.6g} s. Give it more time, "
+                                      "or turn the speed's sign?",
+                                      s.name, s.gap, gap, s.speed, limit));
 }
 
 void PressProgramme::plan_steps(dem::World const& world) {
@@ -125,24 +141,32 @@ bool PressProgramme::stage_has_ended(dem::World const& world) const {
   bool const is_driven = stage().kind == StageKind::move || stage().servo;
   double const gap = punch_gap(world, faces_);
   if (is_driven && gap <= 0.0)
-    throw dem::PhysicsGuard(fmt::format("stage '{}': the punches meet at t = {:.6g} s (gap {:.6g} m). Is there too little "
-                                        "powder for the stage's limit?", stage().name, world.time, gap));
-  if (stage().kind != StageKind::move || stage().until != Limit::force) return time_is_over;
-  if (force_reached(world)) return true;
-  if (time_is_over)
     throw dem::PhysicsGuard(fmt::format(
-        "stage '{}': {} carries {:.6g} N after {:.6g} s and the limit of {:.6g} N is not reached. Give it more time, or "
-        "a smaller force?", stage().name, stage().tools.front(),
-        squeezing_force(tool_named(world, stage().tools.front())), world.time - stage_start_, stage().force));
+        "stage '{}': the punches meet at t = {:.6g} s (gap {:.6g} m). Is there too little "
+        "powder for the stage's limit?",
+        stage().name, world.time, gap));
+  if (stage().kind != StageKind::move || stage().until != Limit::force)
+    return time_is_over;
+  if (force_reached(world))
+    return true;
+  if (time_is_over)
+    throw dem::PhysicsGuard(fmt::format("stage '{}': {} carries {:.6g} N after {:.6g} s and the "
+                                        "limit of {:.6g} N is not reached. Give it more time, or "
+                                        "a smaller force?",
+                                        stage().name, stage().tools.front(),
+                                        squeezing_force(tool_named(world, stage().tools.front())),
+                                        world.time - stage_start_, stage().force));
   return false;
 }
 
 double PressProgramme::command_step(dem::World& world) {
-  if (adaptive_ && steps_to_renewal_ == 0) plan_steps(world);
+  if (adaptive_ && steps_to_renewal_ == 0)
+    plan_steps(world);
   Stage const& s = stage();
   double speed = s.kind == StageKind::move ? s.speed : 0.0;
   if (s.kind == StageKind::hold && s.servo) {
-    double const closing = servo_.closing_speed(read_servo(world, s, faces_), s.force, servo_speed(s), step_);
+    double const closing =
+        servo_.closing_speed(read_servo(world, s, faces_), s.force, servo_speed(s), step_);
     speed = s.tools.front() == "upper_punch" ? -closing : closing;
   }
   for (dem::Tool& tool : world.tools)
@@ -151,22 +175,28 @@ double PressProgramme::command_step(dem::World& world) {
 }
 
 void PressProgramme::step_done(dem::World& world) {
-  if (steps_to_renewal_ > 0) --steps_to_renewal_;
+  if (steps_to_renewal_ > 0)
+    --steps_to_renewal_;
   if (stage().kind == StageKind::move && gap_rate(stage()) != 0.0)
-    servo_.watch(punch_gap(world, faces_), squeezing_force(tool_named(world, stage().tools.front())));
-  if (steps_to_end_ > 0 && --steps_to_end_ == 0) world.time = stage_end_;
+    servo_.watch(punch_gap(world, faces_),
+                 squeezing_force(tool_named(world, stage().tools.front())));
+  if (steps_to_end_ > 0 && --steps_to_end_ == 0)
+    world.time = stage_end_;
 }
 
 void PressProgramme::finish_stage(dem::World& world) {
-  for (dem::Tool& tool : world.tools) tool.velocity = dem::Vec3::Zero();
+  for (dem::Tool& tool : world.tools)
+    tool.velocity = dem::Vec3::Zero();
   started_ = 0;
   ++index_;
 }
 
 double PressProgramme::stage_progress(dem::World const& world) const {
-  if (!is_started()) return 0.0;
-  double const by_time =
-      std::isfinite(stage_end_) ? (world.time - stage_start_) / std::max(stage_end_ - stage_start_, 1e-300) : 0.0;
+  if (!is_started())
+    return 0.0;
+  double const by_time = std::isfinite(stage_end_) ? (world.time - stage_start_) /
+                                                         std::max(stage_end_ - stage_start_, 1e-300)
+                                                   : 0.0;
   if (stage().kind != StageKind::move || stage().until != Limit::force || gap_rate(stage()) > 0.0)
     return std::clamp(by_time, 0.0, 1.0);
   double const by_force = squeezing_force(tool_named(world, stage().tools.front())) / stage().force;
@@ -175,9 +205,12 @@ double PressProgramme::stage_progress(dem::World const& world) const {
 
 double PressProgramme::run_progress(dem::World const& world) const {
   double const all = std::accumulate(expected_lengths_.begin(), expected_lengths_.end(), 0.0);
-  if (is_done() || all == 0.0) return 1.0;
+  if (is_done() || all == 0.0)
+    return 1.0;
   auto const present = expected_lengths_.begin() + static_cast<std::ptrdiff_t>(index_);
-  return (std::accumulate(expected_lengths_.begin(), present, 0.0) + stage_progress(world) * *present) / all;
+  return (std::accumulate(expected_lengths_.begin(), present, 0.0) +
+          stage_progress(world) * *present) /
+         all;
 }
 
-}  // namespace coupling
+} // namespace coupling

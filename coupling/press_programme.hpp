@@ -25,8 +25,8 @@ double punch_gap(dem::World const& world, PunchFaces const& faces);
 dem::Tool& tool_named(dem::World& world, std::string_view name);
 dem::Tool const& tool_named(dem::World const& world, std::string_view name);
 
-/// Axial force of the bed on a tool [N], positive when the tool is squeezed: the upper punch pushed up, the lower
-/// punch and the die pushed down. Zero for a tool that has been released.
+/// Axial force of the bed on a tool [N], positive when the tool is squeezed: the upper punch pushed
+/// up, the lower punch and the die pushed down. Zero for a tool that has been released.
 double squeezing_force(dem::Tool const& tool);
 
 /// Whether a stage acts on a tool.
@@ -35,28 +35,32 @@ bool drives(Stage const& stage, std::string_view tool);
 /// d gap / dt of a motion [m/s], positive when it opens.
 double gap_rate(Stage const& stage);
 
-/// Refuses stages that cannot be run: none at all, an unknown or missing tool, a second use of a released tool, a
-/// motion that leads away from its limit, punches that would meet.
+/// Refuses stages that cannot be run: none at all, an unknown or missing tool, a second use of a
+/// released tool, a motion that leads away from its limit, punches that would meet.
 /// @param fill_height  gap of the punches before the first stage [m]
 /// @throws dem::InvalidInput
 void validate_stages(std::span<Stage const> stages, double fill_height);
 
-/// How long each stage is expected to take [s]; a stage that ends by force: its longest, or until the punches meet.
+/// How long each stage is expected to take [s]; a stage that ends by force: its longest, or until
+/// the punches meet.
 std::vector<double> expected_lengths(std::span<Stage const> stages, double fill_height);
 
 /// The stages of a press cycle, one after the other, as commands to the tools.
 ///
-/// Within a stage of known length T all steps are equal, dt = T / ceil(T / dt_max), so that the last one lands on the
-/// stage's end; the end is the planned time to the last bit. A stage that ends by force runs with dt_max. If the step
-/// adapts to the state, the plan is renewed every `renewal` steps.
+/// Within a stage of known length T all steps are equal, dt = T / ceil(T / dt_max), so that the
+/// last one lands on the stage's end; the end is the planned time to the last bit. A stage that
+/// ends by force runs with dt_max. If the step adapts to the state, the plan is renewed every
+/// `renewal` steps.
 class PressProgramme {
 public:
   /// The longest step [s] that the present state allows.
   using LongestStep = std::function<double(dem::World const&)>;
-  static constexpr std::uint64_t renewal = 50;  ///< steps
+  static constexpr std::uint64_t renewal = 50; ///< steps
 
-  /// @param adaptive  ask for the longest step again every `renewal` steps, not only when a stage starts
-  PressProgramme(std::vector<Stage> stages, PunchFaces faces, LongestStep longest_step, bool adaptive);
+  /// @param adaptive  ask for the longest step again every `renewal` steps, not only when a stage
+  /// starts
+  PressProgramme(std::vector<Stage> stages, PunchFaces faces, LongestStep longest_step,
+                 bool adaptive);
 
   bool is_done() const { return index_ == stages_.size(); }
   bool is_started() const { return started_ != 0; }
@@ -65,11 +69,13 @@ public:
   std::span<Stage const> stages() const { return stages_; }
   PunchFaces const& faces() const { return faces_; }
 
-  /// Does what the present stage does at its start: tools are released, driven or stopped, the steps planned.
+  /// Does what the present stage does at its start: tools are released, driven or stopped, the
+  /// steps planned.
   /// @throws dem::PhysicsGuard if the stage's limit cannot be reached from here
   void start_stage(dem::World& world);
 
-  /// Whether the present stage has ended. @throws dem::PhysicsGuard if it can no longer end as the case asks
+  /// Whether the present stage has ended. @throws dem::PhysicsGuard if it can no longer end as the
+  /// case asks
   bool stage_has_ended(dem::World const& world) const;
 
   /// Sets the tools' velocities for the next step. @returns its length [s]
@@ -84,15 +90,15 @@ public:
   /// Fraction of the present stage that is done, by time or by force [1].
   double stage_progress(dem::World const& world) const;
 
-  /// Fraction of the whole programme that is done, by the time that stages are expected to take [1].
+  /// Fraction of the whole programme that is done, by the time that stages are expected to take
+  /// [1].
   double run_progress(dem::World const& world) const;
 
   /// Length of the steps of the present plan [s].
   double present_step() const { return step_; }
 
   /// See dem::visit_state.
-  template <class Field>
-  void visit_state(Field&& field) {
+  template <class Field> void visit_state(Field&& field) {
     field("programme/stage", index_);
     field("programme/started", started_);
     field("programme/stage_start", stage_start_);
@@ -112,16 +118,16 @@ private:
   PunchFaces faces_;
   LongestStep longest_step_;
   bool adaptive_;
-  std::vector<double> expected_lengths_;  // [s], of the stages
+  std::vector<double> expected_lengths_; // [s], of the stages
 
   std::uint64_t index_ = 0;
   std::uint64_t started_ = 0;
-  double stage_start_ = 0.0;              // [s]
-  double stage_end_ = 0.0;                // [s]; infinite where only a force ends the stage
-  double step_ = 0.0;                     // [s]
-  std::uint64_t steps_to_end_ = 0;        // 0 with an infinite end: unknown
+  double stage_start_ = 0.0;       // [s]
+  double stage_end_ = 0.0;         // [s]; infinite where only a force ends the stage
+  double step_ = 0.0;              // [s]
+  std::uint64_t steps_to_end_ = 0; // 0 with an infinite end: unknown
   std::uint64_t steps_to_renewal_ = 0;
   ForceServo servo_;
 };
 
-}  // namespace coupling
+} // namespace coupling

@@ -30,11 +30,15 @@ std::vector<ToolOutline> outline_tools(Press const& press) {
   PunchFaces const& faces = press.programme.faces();
   std::vector<ToolOutline> outlines;
   for (dem::Tool const& tool : press.world.tools) {
-    if (!tool.present) continue;
+    if (!tool.present)
+      continue;
     double const z = tool.displacement.z();
-    if (tool.name == "die") outlines.push_back({tool.name, radius, z, z + tooling.die_height});
-    if (tool.name == "upper_punch") outlines.push_back({tool.name, radius, z + faces.upper, z + faces.upper});
-    if (tool.name == "lower_punch") outlines.push_back({tool.name, radius, z + faces.lower, z + faces.lower});
+    if (tool.name == "die")
+      outlines.push_back({tool.name, radius, z, z + tooling.die_height});
+    if (tool.name == "upper_punch")
+      outlines.push_back({tool.name, radius, z + faces.upper, z + faces.upper});
+    if (tool.name == "lower_punch")
+      outlines.push_back({tool.name, radius, z + faces.lower, z + faces.lower});
   }
   return outlines;
 }
@@ -43,13 +47,14 @@ std::vector<ProvenanceEntry> provenance(Press const& press) {
   Case const& setup = press.setup;
   return {{"program", fmt::format("presscheck {}", PRESSCHECK_VERSION)},
           {"packing seed", fmt::format("{}", setup.powder.seed)},
-          {"contact laws", fmt::format("{}, {}, {}, rolling {}", setup.contacts.law.normal, setup.contacts.law.cohesion,
-                                       setup.contacts.law.tangential, setup.contacts.law.rolling)},
+          {"contact laws", fmt::format("{}, {}, {}, rolling {}", setup.contacts.law.normal,
+                                       setup.contacts.law.cohesion, setup.contacts.law.tangential,
+                                       setup.contacts.law.rolling)},
           {"precision", setup.contacts.law.precision == dem::Precision::mixed ? "mixed" : "double"},
           {"threads", fmt::format("{} (results do not depend on it)", omp_get_max_threads())}};
 }
 
-}  // namespace
+} // namespace
 
 void write_press_report(Press const& press, std::filesystem::path const& file) {
   ReportData data;
@@ -57,14 +62,16 @@ void write_press_report(Press const& press, std::filesystem::path const& file) {
   data.summary = summarise(press);
   data.record = press.record;
   data.grains = picture(press);
-  for (Component const& component : press.setup.powder.components) data.components.push_back(component.material.name);
+  for (Component const& component : press.setup.powder.components)
+    data.components.push_back(component.material.name);
   auto const& stages = press.record.stages();
-  data.grains_moment = stages.empty() ? "before the first stage"
-                                      : fmt::format("at t = {:.6g} s, stage {}", press.world.time, stages.back());
+  data.grains_moment =
+      stages.empty() ? "before the first stage"
+                     : fmt::format("at t = {:.6g} s, stage {}", press.world.time, stages.back());
   data.tools = outline_tools(press);
   data.provenance = provenance(press);
   data.resolved_case = press.setup.resolved_text;
   write_report(file, data);
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -18,7 +18,7 @@ namespace coupling {
 namespace {
 
 // A grain that the punch overruns by more in one step is not pushed but shot.
-constexpr double largest_stroke_per_step = 0.05;  // of the smallest radius
+constexpr double largest_stroke_per_step = 0.05; // of the smallest radius
 
 // Beyond a fifth of the Rayleigh time the first touch of two grains is not resolved.
 constexpr double largest_rayleigh_fraction = 0.2;
@@ -34,22 +34,27 @@ dem::World empty_world(Case const& setup) {
 
 Press empty_press(Case const& setup) {
   VALIDATE(setup.mode == "rigid",
-           fmt::format("{}: Mode = {}: this version has rigid tools only. Mode = rigid?", setup.file.string(), setup.mode));
+           fmt::format("{}: Mode = {}: this version has rigid tools only. Mode = rigid?",
+                       setup.file.string(), setup.mode));
   auto const stages = stages_of(setup);
   try {
     validate_stages(stages, setup.powder.fill_height);
   } catch (dem::InvalidInput const& error) {
-    throw dem::InvalidInput(fmt::format("{}: Press programme: {}", setup.file.string(), error.what()));
+    throw dem::InvalidInput(
+        fmt::format("{}: Press programme: {}", setup.file.string(), error.what()));
   }
   return {.setup = setup,
           .world = empty_world(setup),
-          .programme = PressProgramme(stages, starting_faces(setup), longest_step_of(setup.time_stepping),
-                                      setup.time_stepping.adaptive),
+          .programme =
+              PressProgramme(stages, starting_faces(setup), longest_step_of(setup.time_stepping),
+                             setup.time_stepping.adaptive),
           .record = PressRecord(curve_columns()),
           .tally = {}};
 }
 
-double total_mass(dem::Spheres const& grains) { return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0); }
+double total_mass(dem::Spheres const& grains) {
+  return std::accumulate(grains.mass.begin(), grains.mass.end(), 0.0);
+}
 
 /// Grains whose centre is nearer to a tool's face than (1 - limit) R, or beyond it.
 void check_walls(Case const& setup, dem::Spheres const& grains) {
@@ -60,15 +65,20 @@ void check_walls(Case const& setup, dem::Spheres const& grains) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
     dem::Vec3 const& x = grains.position[i];
     double const R = grains.radius[i];
-    double const overlap = std::max({std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - setup.powder.fill_height});
-    if (overlap <= limit * R) continue;
+    double const overlap = std::max(
+        {std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - setup.powder.fill_height});
+    if (overlap <= limit * R)
+      continue;
     ++n_outside;
-    if (overlap > deepest) deepest = overlap, worst = i;
+    if (overlap > deepest)
+      deepest = overlap, worst = i;
   }
   VALIDATE(n_outside == 0,
-           fmt::format("{}: {} of {} grains start outside the die (grain {} at z = {:.4g} m by {:.3g} m). Is the axis of the "
+           fmt::format("{}: {} of {} grains start outside the die (grain {} at z = {:.4g} m by "
+                       "{:.3g} m). Is the axis of the "
                        "packing z, z = 0 the lower punch, and 'Fill height' the upper one's?",
-                       setup.file.string(), n_outside, grains.size(), worst, grains.position[worst].z(), deepest));
+                       setup.file.string(), n_outside, grains.size(), worst,
+                       grains.position[worst].z(), deepest));
 }
 
 void check_overlaps(Case const& setup, dem::World const& world) {
@@ -76,35 +86,46 @@ void check_overlaps(Case const& setup, dem::World const& world) {
   double worst = 0.0;
   dem::Spheres const& grains = world.grains;
   for (dem::Contact const& contact : dem::list_contacts(world)) {
-    if (contact.j == dem::Contact::none) continue;
-    double const relative = contact.overlap / std::min(grains.radius[contact.i], grains.radius[contact.j]);
-    if (relative > setup.time_stepping.max_relative_overlap) ++n_deep;
+    if (contact.j == dem::Contact::none)
+      continue;
+    double const relative =
+        contact.overlap / std::min(grains.radius[contact.i], grains.radius[contact.j]);
+    if (relative > setup.time_stepping.max_relative_overlap)
+      ++n_deep;
     worst = std::max(worst, relative);
   }
   VALIDATE(n_deep == 0,
-           fmt::format("{}: {} pairs of grains overlap by more than {:.3g} of the smaller radius at the start (the worst by "
+           fmt::format("{}: {} pairs of grains overlap by more than {:.3g} of the smaller radius "
+                       "at the start (the worst by "
                        "{:.3g}). Is the packing's diameter a radius, or a grain listed twice?",
-                       setup.file.string(), n_deep, setup.time_stepping.max_relative_overlap, worst));
+                       setup.file.string(), n_deep, setup.time_stepping.max_relative_overlap,
+                       worst));
 }
 
 void check_speeds(Press const& press) {
   double const step = longest_step_of(press.setup.time_stepping)(press.world);
   double const radius = *std::ranges::min_element(press.world.grains.radius);
   for (Stage const& stage : press.programme.stages()) {
-    double const stroke = stage.kind == StageKind::move ? std::abs(stage.speed) * step / radius : 0.0;
+    double const stroke =
+        stage.kind == StageKind::move ? std::abs(stage.speed) * step / radius : 0.0;
     VALIDATE(stroke <= largest_stroke_per_step,
-             fmt::format("{}: stage '{}': Speed = {:.6g} m/s moves {:.3g} grain radii per step (limit {:.3g}). Lower the "
+             fmt::format("{}: stage '{}': Speed = {:.6g} m/s moves {:.3g} grain radii per step "
+                         "(limit {:.3g}). Lower the "
                          "speed or the time step?",
-                         press.setup.file.string(), stage.name, stage.speed, stroke, largest_stroke_per_step));
+                         press.setup.file.string(), stage.name, stage.speed, stroke,
+                         largest_stroke_per_step));
   }
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Stage> stages_of(Case const& setup) {
   std::vector<Stage> stages;
   if (setup.powder.settle_time > 0.0)
-    stages.push_back({.name = "settle", .kind = StageKind::free, .tools = {}, .duration = setup.powder.settle_time});
+    stages.push_back({.name = "settle",
+                      .kind = StageKind::free,
+                      .tools = {},
+                      .duration = setup.powder.settle_time});
   stages.insert(stages.end(), setup.stages.begin(), setup.stages.end());
   return stages;
 }
@@ -112,8 +133,10 @@ std::vector<Stage> stages_of(Case const& setup) {
 PressProgramme::LongestStep longest_step_of(TimeStepping const& time_stepping) {
   return [time_stepping](dem::World const& world) {
     double const rayleigh = dem::rayleigh_time(world);
-    if (!time_stepping.adaptive) return time_stepping.rayleigh_fraction * rayleigh;
-    return std::min(time_stepping.safety * dem::stable_time_step(world), largest_rayleigh_fraction * rayleigh);
+    if (!time_stepping.adaptive)
+      return time_stepping.rayleigh_fraction * rayleigh;
+    return std::min(time_stepping.safety * dem::stable_time_step(world),
+                    largest_rayleigh_fraction * rayleigh);
   };
 }
 
@@ -137,10 +160,11 @@ Press restore_press(Case const& setup, std::filesystem::path const& restart_file
 }
 
 void write_tools(Press const& press, std::filesystem::path const& folder) {
-  if (press.setup.tooling.walls == WallKind::analytic) return;
+  if (press.setup.tooling.walls == WallKind::analytic)
+    return;
   std::filesystem::create_directories(folder);
   for (dem::Tool const& tool : press.world.tools)
     dem::write_stl(folder / (tool.name + ".stl"), tool.surface.triangles());
 }
 
-}  // namespace coupling
+} // namespace coupling

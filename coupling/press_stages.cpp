@@ -26,80 +26,108 @@ public:
   explicit StageWalk(double fill_height) : gap_(fill_height) {}
 
   void take(Stage const& stage) {
-    if (!names_.insert(stage.name).second) refuse(stage, "this name is used twice (results are kept by stage). Rename it?");
+    if (!names_.insert(stage.name).second)
+      refuse(stage, "this name is used twice (results are kept by stage). Rename it?");
     check_tools(stage);
     switch (stage.kind) {
-    case StageKind::move: return move(stage);
-    case StageKind::hold: return hold(stage);
-    case StageKind::release: return release(stage);
-    case StageKind::free: return check_duration(stage);
+    case StageKind::move:
+      return move(stage);
+    case StageKind::hold:
+      return hold(stage);
+    case StageKind::release:
+      return release(stage);
+    case StageKind::free:
+      return check_duration(stage);
     }
   }
 
 private:
   void check_tools(Stage const& stage) const {
-    bool const needs_tools = stage.kind == StageKind::move || stage.kind == StageKind::release || stage.servo;
-    if (needs_tools && stage.tools.empty()) refuse(stage, "it names no tool. Which of die, upper_punch, lower_punch?");
+    bool const needs_tools =
+        stage.kind == StageKind::move || stage.kind == StageKind::release || stage.servo;
+    if (needs_tools && stage.tools.empty())
+      refuse(stage, "it names no tool. Which of die, upper_punch, lower_punch?");
     for (auto const& tool : stage.tools) {
       if (std::ranges::count(known_tools, tool) == 0)
-        refuse(stage, fmt::format("tool '{}' is unknown (known: die, upper_punch, lower_punch). Is it misspelt?", tool));
+        refuse(stage,
+               fmt::format(
+                   "tool '{}' is unknown (known: die, upper_punch, lower_punch). Is it misspelt?",
+                   tool));
       if (released_.contains(tool))
-        refuse(stage, fmt::format("tool '{}' was released by an earlier stage. Release it later?", tool));
+        refuse(stage,
+               fmt::format("tool '{}' was released by an earlier stage. Release it later?", tool));
     }
   }
 
   void check_duration(Stage const& stage) const {
     if (!(stage.duration > 0.0) || !std::isfinite(stage.duration))
-      refuse(stage, fmt::format("a duration of {:.6g} s ends it before it starts. Give it a time?", stage.duration));
+      refuse(stage, fmt::format("a duration of {:.6g} s ends it before it starts. Give it a time?",
+                                stage.duration));
   }
 
   void move(Stage const& stage) {
-    if (stage.speed == 0.0 || !std::isfinite(stage.speed)) refuse(stage, "a motion needs a speed other than 0. Is it a hold?");
+    if (stage.speed == 0.0 || !std::isfinite(stage.speed))
+      refuse(stage, "a motion needs a speed other than 0. Is it a hold?");
     if (stage.until != Limit::gap) {
-      if (stage.until == Limit::time) check_duration(stage);
+      if (stage.until == Limit::time)
+        check_duration(stage);
       bool const is_timed = stage.until == Limit::time;
       return move_gap(stage, is_timed ? gap_ + gap_rate(stage) * stage.duration : unknown);
     }
-    if (gap_rate(stage) == 0.0) refuse(stage, "the punches do not approach each other (it moves both or none). Limit its time instead?");
+    if (gap_rate(stage) == 0.0)
+      refuse(stage, "the punches do not approach each other (it moves both or none). Limit its "
+                    "time instead?");
     if ((stage.gap - gap_) * gap_rate(stage) < 0.0)
-      refuse(stage, fmt::format("a speed of {:.6g} m/s leads away from the gap of {:.6g} m (it starts at {:.6g} m). Turn the "
-                                "speed's sign?", stage.speed, stage.gap, gap_));
+      refuse(stage, fmt::format("a speed of {:.6g} m/s leads away from the gap of {:.6g} m (it "
+                                "starts at {:.6g} m). Turn the "
+                                "speed's sign?",
+                                stage.speed, stage.gap, gap_));
     move_gap(stage, stage.gap);
   }
 
   void move_gap(Stage const& stage, double gap) {
     if (gap <= 0.0)
-      refuse(stage, fmt::format("the punches meet (gap {:.6g} m at its end, {:.6g} m at its start). Shorten the stroke?", gap, gap_));
+      refuse(stage, fmt::format("the punches meet (gap {:.6g} m at its end, {:.6g} m at its "
+                                "start). Shorten the stroke?",
+                                gap, gap_));
     gap_ = gap;
   }
 
   void hold(Stage const& stage) {
     check_duration(stage);
-    if (!stage.servo) return;
-    if (stage.tools.front() == "die") refuse(stage, "a servo drives a punch, not the die. Which punch?");
-    if (!(stage.force > 0.0)) refuse(stage, fmt::format("a servo needs a force above 0 N, not {:.6g} N", stage.force));
+    if (!stage.servo)
+      return;
+    if (stage.tools.front() == "die")
+      refuse(stage, "a servo drives a punch, not the die. Which punch?");
+    if (!(stage.force > 0.0))
+      refuse(stage, fmt::format("a servo needs a force above 0 N, not {:.6g} N", stage.force));
     gap_ = unknown;
   }
 
   void release(Stage const& stage) { released_.insert(stage.tools.begin(), stage.tools.end()); }
 
-  double gap_;  // [m]; NaN once a force decides
+  double gap_; // [m]; NaN once a force decides
   std::set<std::string> names_;
   std::set<std::string, std::less<>> released_;
 };
 
-}  // namespace
+} // namespace
 
-bool drives(Stage const& stage, std::string_view tool) { return std::ranges::count(stage.tools, tool) > 0; }
+bool drives(Stage const& stage, std::string_view tool) {
+  return std::ranges::count(stage.tools, tool) > 0;
+}
 
 double gap_rate(Stage const& stage) {
   return stage.speed * (int(drives(stage, "upper_punch")) - int(drives(stage, "lower_punch")));
 }
 
 void validate_stages(std::span<Stage const> stages, double fill_height) {
-  VALIDATE(!stages.empty(), "the press programme has no stage (there is nothing to run). Add a stage such as 'loading'?");
+  VALIDATE(
+      !stages.empty(),
+      "the press programme has no stage (there is nothing to run). Add a stage such as 'loading'?");
   StageWalk walk(fill_height);
-  for (Stage const& stage : stages) walk.take(stage);
+  for (Stage const& stage : stages)
+    walk.take(stage);
 }
 
 std::vector<double> expected_lengths(std::span<Stage const> stages, double fill_height) {
@@ -108,12 +136,14 @@ std::vector<double> expected_lengths(std::span<Stage const> stages, double fill_
   for (Stage const& stage : stages) {
     double const rate = stage.kind == StageKind::move ? gap_rate(stage) : 0.0;
     double length = stage.kind == StageKind::release ? 0.0 : stage.duration;
-    if (rate != 0.0 && stage.until == Limit::gap) length = std::max((stage.gap - gap) / rate, 0.0);
-    if (rate != 0.0 && stage.until == Limit::force && length == 0.0) length = gap / std::abs(rate);
+    if (rate != 0.0 && stage.until == Limit::gap)
+      length = std::max((stage.gap - gap) / rate, 0.0);
+    if (rate != 0.0 && stage.until == Limit::force && length == 0.0)
+      length = gap / std::abs(rate);
     gap = std::max(gap + rate * length, 0.0);
     lengths.push_back(length);
   }
   return lengths;
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -7,35 +7,42 @@
 namespace coupling {
 namespace {
 
-// Tolerances of the project's acceptance table: 1 % of the peak work, 1 % of the upper punch's force.
+// Tolerances of the project's acceptance table: 1 % of the peak work, 1 % of the upper punch's
+// force.
 constexpr double energy_tolerance = 0.01;
 constexpr double equilibrium_tolerance = 0.01;
-// Momentum is kept to rounding in double precision; single-precision forces lose some 1e-7 of each contact's force.
+// Momentum is kept to rounding in double precision; single-precision forces lose some 1e-7 of each
+// contact's force.
 constexpr double momentum_tolerance = 1e-3;
 
 Check upper_bound(std::string name, double value, double tolerance) {
-  return {.name = std::move(name), .value = value, .tolerance = tolerance, .ok = value <= tolerance};
+  return {
+      .name = std::move(name), .value = value, .tolerance = tolerance, .ok = value <= tolerance};
 }
 
 /// A ratio whose scale has not come up yet is met by an error of zero only.
 double share(double error, double scale) {
-  if (error == 0.0) return 0.0;
+  if (error == 0.0)
+    return 0.0;
   return scale > 0.0 ? std::abs(error) / scale : std::abs(error);
 }
 
 std::vector<Check> checks_of(Press const& press) {
   PressTally const& tally = press.tally;
-  return {upper_bound("energy ledger, error / peak work", share(tally.energy_error, energy_scale(press)), energy_tolerance),
+  return {upper_bound("energy ledger, error / peak work",
+                      share(tally.energy_error, energy_scale(press)), energy_tolerance),
           upper_bound("axial equilibrium at the peak, imbalance / upper punch force",
                       share(tally.imbalance_at_peak, tally.recorded_force), equilibrium_tolerance),
-          upper_bound("axial momentum, error / impulse", share(tally.momentum_error, impulse_scale(press)), momentum_tolerance),
+          upper_bound("axial momentum, error / impulse",
+                      share(tally.momentum_error, impulse_scale(press)), momentum_tolerance),
           upper_bound("grains outside the tools", tally.max_outside, 0.0),
           upper_bound("largest overlap / smaller radius", tally.max_relative_overlap,
                       press.setup.time_stepping.max_relative_overlap),
-          upper_bound("time step / Hertz collision time", tally.step_to_collision, largest_step_to_collision)};
+          upper_bound("time step / Hertz collision time", tally.step_to_collision,
+                      largest_step_to_collision)};
 }
 
-}  // namespace
+} // namespace
 
 Summary summarise(Press const& press) {
   PressTally const& tally = press.tally;
@@ -52,8 +59,9 @@ Summary summarise(Press const& press) {
   summary.steps = world.step;
   summary.time_step = world.step > 0 ? tally.smallest_step : press.programme.present_step();
   summary.wall_seconds = tally.wall_seconds;
-  summary.particle_steps_per_second =
-      static_cast<double>(world.grains.size()) * static_cast<double>(world.step) / std::max(tally.wall_seconds, 1e-9);
+  summary.particle_steps_per_second = static_cast<double>(world.grains.size()) *
+                                      static_cast<double>(world.step) /
+                                      std::max(tally.wall_seconds, 1e-9);
   summary.mode = press.setup.mode;
   summary.version = PRESSCHECK_VERSION;
   summary.checks = checks_of(press);
@@ -65,4 +73,4 @@ Summary summarise(Press const& press) {
   return summary;
 }
 
-}  // namespace coupling
+} // namespace coupling

@@ -10,51 +10,49 @@ namespace coupling {
 struct PressTally {
   static constexpr double not_reached = std::numeric_limits<double>::quiet_NaN();
 
-  double max_force = 0.0;             ///< [N], on the upper punch, over every step
-  double recorded_force = 0.0;        ///< [N], the largest in a record
-  double seen_peak = 0.0;             ///< [N], max_force at the newest record
-  double smallest_gap = std::numeric_limits<double>::infinity();    ///< [m]
-  double smallest_step = std::numeric_limits<double>::infinity();   ///< [s]
-  double max_relative_overlap = 0.0;  ///< [1], over the records
-  double step_to_collision = 0.0;     ///< [1], largest ratio of the step to the Hertz collision time
-  double step_to_stable = 0.0;        ///< [1], largest ratio of the step to its bound
+  double max_force = 0.0;      ///< [N], on the upper punch, over every step
+  double recorded_force = 0.0; ///< [N], the largest in a record
+  double seen_peak = 0.0;      ///< [N], max_force at the newest record
+  double smallest_gap = std::numeric_limits<double>::infinity();  ///< [m]
+  double smallest_step = std::numeric_limits<double>::infinity(); ///< [s]
+  double max_relative_overlap = 0.0;                              ///< [1], over the records
+  double step_to_collision = 0.0; ///< [1], largest ratio of the step to the Hertz collision time
+  double step_to_stable = 0.0;    ///< [1], largest ratio of the step to its bound
 
   // Momentum along the press axis.
-  double start_momentum = 0.0;        ///< [N s]
-  double axial_impulse = 0.0;         ///< [N s], of tools and gravity so far
-  double throughput = 0.0;            ///< [N s], of the upper punch alone: the scale of the error
-  double axial_force = 0.0;           ///< [N], of tools and gravity on the grains, last step
-  double momentum_error = 0.0;        ///< [N s], largest
-  double imbalance_at_peak = 0.0;     ///< [N], of the recorded axial forces where the force is largest
+  double start_momentum = 0.0;    ///< [N s]
+  double axial_impulse = 0.0;     ///< [N s], of tools and gravity so far
+  double throughput = 0.0;        ///< [N s], of the upper punch alone: the scale of the error
+  double axial_force = 0.0;       ///< [N], of tools and gravity on the grains, last step
+  double momentum_error = 0.0;    ///< [N s], largest
+  double imbalance_at_peak = 0.0; ///< [N], of the recorded axial forces where the force is largest
 
   // Energy.
-  double start_energy = 0.0;          ///< [J], kinetic and stored
-  double released_energy = 0.0;       ///< [J], stored in contacts with tools when these were removed
-  double peak_work = 0.0;             ///< [J], largest so far that tools and gravity did
-  double energy_error = 0.0;          ///< [J], largest size so far
+  double start_energy = 0.0;    ///< [J], kinetic and stored
+  double released_energy = 0.0; ///< [J], stored in contacts with tools when these were removed
+  double peak_work = 0.0;       ///< [J], largest so far that tools and gravity did
+  double energy_error = 0.0;    ///< [J], largest size so far
 
-  double max_outside = 0.0;           ///< grains outside the tools while the die is present
+  double max_outside = 0.0; ///< grains outside the tools while the die is present
 
   // The compact at the end of unloading, and its shape when the die is released and later.
   double porosity = not_reached;
   double porosity_core = not_reached;
-  double compact_height = not_reached;       ///< [m]
-  std::vector<double> released_shape;        ///< see dem/measure; empty: not released yet
+  double compact_height = not_reached; ///< [m]
+  std::vector<double> released_shape;  ///< see dem/measure; empty: not released yet
   double shape_similarity = not_reached;
-  std::uint64_t shape_quality = 0;           ///< 1 to 5
+  std::uint64_t shape_quality = 0; ///< 1 to 5
 
-  std::uint64_t n_records = 0;        ///< made at the record interval
-  std::uint64_t n_snapshots = 0;      ///< made at the snapshot interval
-  double last_record = -1.0;          ///< [s], time of the newest record
-  double last_snapshot = -1.0;        ///< [s], time of the newest snapshot
-  double wall_seconds = 0.0;          ///< [s], of clock; the only field that differs between equal runs
+  std::uint64_t n_records = 0;   ///< made at the record interval
+  std::uint64_t n_snapshots = 0; ///< made at the snapshot interval
+  double last_record = -1.0;     ///< [s], time of the newest record
+  double last_snapshot = -1.0;   ///< [s], time of the newest snapshot
+  double wall_seconds = 0.0;     ///< [s], of clock; the only field that differs between equal runs
 
-  template <class Field>
-  void visit_state(Field&& field);
+  template <class Field> void visit_state(Field&& field);
 };
 
-template <class Field>
-void PressTally::visit_state(Field&& field) {
+template <class Field> void PressTally::visit_state(Field&& field) {
   field("tally/max_force", max_force);
   field("tally/recorded_force", recorded_force);
   field("tally/seen_peak", seen_peak);
@@ -87,4 +85,4 @@ void PressTally::visit_state(Field&& field) {
   field("tally/wall_seconds", wall_seconds);
 }
 
-}  // namespace coupling
+} // namespace coupling

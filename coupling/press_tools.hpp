@@ -8,10 +8,13 @@
 
 namespace coupling {
 
-/// The tools of a press where they stand at the start, displacements zero, in the order die, upper punch, lower punch.
+/// The tools of a press where they stand at the start, displacements zero, in the order die, upper
+/// punch, lower punch.
 ///  - read from STL, or generated from dimensions at the chordal tolerance;
-///  - a punch from a file is shifted along z until its face is at z = 0 (lower) or at the fill height (upper);
-///  - analytic walls are the same shapes so far beyond the powder that no grain meets a rim: recognised as what they
+///  - a punch from a file is shifted along z until its face is at z = 0 (lower) or at the fill
+///  height (upper);
+///  - analytic walls are the same shapes so far beyond the powder that no grain meets a rim:
+///  recognised as what they
 ///    tessellate, they are an exact cylinder and exact planes.
 /// @param material  row of the tools' material
 /// @throws dem::InvalidInput if a file cannot be used or its size contradicts the case
@@ -20,4 +23,4 @@ std::vector<dem::Tool> make_tools(Case const& setup, std::uint8_t material);
 /// Where the punch faces are at the start.
 PunchFaces starting_faces(Case const& setup);
 
-}  // namespace coupling
+} // namespace coupling

@@ -6,8 +6,8 @@
 #include <exception>
 #include <iostream>
 
-/// The program `presscheck`. Exit status: 0 done, 1 a calculation failed or a guard tripped, 2 the input is wrong,
-/// 130 interrupted. An error is one line on standard error.
+/// The program `presscheck`. Exit status: 0 done, 1 a calculation failed or a guard tripped, 2 the
+/// input is wrong, 130 interrupted. An error is one line on standard error.
 int main(int argc, char** argv) {
   // A limit on file sizes shall arrive as a failed write, not as a signal.
   std::signal(SIGXFSZ, SIG_IGN);

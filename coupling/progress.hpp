@@ -10,12 +10,12 @@ namespace coupling {
 /// What a line of progress tells.
 struct ProgressReading {
   std::string stage;
-  double stage_fraction;         ///< [1], of the present stage
-  double run_fraction;           ///< [1], of the whole programme, by time
-  double time;                   ///< [s], simulated
-  double height;                 ///< [m], between the punches
-  double force;                  ///< [N], on the upper punch
-  double max_relative_overlap;   ///< [1]
+  double stage_fraction;       ///< [1], of the present stage
+  double run_fraction;         ///< [1], of the whole programme, by time
+  double time;                 ///< [s], simulated
+  double height;               ///< [m], between the punches
+  double force;                ///< [N], on the upper punch
+  double max_relative_overlap; ///< [1]
   std::uint64_t step;
 };
 
@@ -24,7 +24,8 @@ enum class ProgressStyle { silent, lines, terminal };
 /// `terminal` if the file descriptor is one, otherwise `lines`; `silent` if asked for.
 ProgressStyle progress_style(int file_descriptor, bool quiet);
 
-/// Tells how far a run is: on a terminal one line that rewrites itself twice a second, in a file a line per 5 %.
+/// Tells how far a run is: on a terminal one line that rewrites itself twice a second, in a file a
+/// line per 5 %.
 class Progress {
 public:
   Progress(std::ostream& out, ProgressStyle style);
@@ -47,9 +48,9 @@ private:
   Clock::time_point last_shown_{};
   Clock::time_point last_rate_ = started_;
   std::uint64_t last_step_ = 0;
-  double first_fraction_ = -1.0;       // where this session took up the run
+  double first_fraction_ = -1.0; // where this session took up the run
   int shown_twentieth_ = -1;
   bool line_is_open_ = false;
 };
 
-}  // namespace coupling
+} // namespace coupling

@@ -24,12 +24,14 @@ PairMaterial mix(Material const& i, Material const& j, Interaction const& intera
 std::uint8_t MaterialTable::add(Material const& material) {
   EXPECT(material.density > 0.0 && material.young_modulus > 0.0);
   materials_.push_back(material);
-  for (auto& row : interactions_) row.emplace_back();
+  for (auto& row : interactions_)
+    row.emplace_back();
   interactions_.emplace_back(materials_.size());
   return static_cast<std::uint8_t>(materials_.size() - 1);
 }
 
-void MaterialTable::set_interaction(std::uint8_t i, std::uint8_t j, Interaction const& interaction) {
+void MaterialTable::set_interaction(std::uint8_t i, std::uint8_t j,
+                                    Interaction const& interaction) {
   interactions_.at(i).at(j) = interaction;
   interactions_.at(j).at(i) = interaction;
 }
@@ -38,4 +40,4 @@ PairMaterial MaterialTable::pair(std::uint8_t i, std::uint8_t j) const {
   return mix(materials_.at(i), materials_.at(j), interactions_.at(i).at(j));
 }
 
-}  // namespace dem
+} // namespace dem

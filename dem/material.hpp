@@ -10,18 +10,18 @@ namespace dem {
 /// An isotropic elastic material of grains or tools.
 struct Material {
   std::string name;
-  double density;        ///< [kg/m^3], > 0
-  double young_modulus;  ///< [Pa], > 0
-  double poisson_ratio;  ///< [1], in (-1, 0.5)
+  double density;       ///< [kg/m^3], > 0
+  double young_modulus; ///< [Pa], > 0
+  double poisson_ratio; ///< [1], in (-1, 0.5)
 };
 
 /// What two materials do to each other at a contact.
 struct Interaction {
-  double restitution = 0.5;               ///< [1], in (0, 1]
-  double static_friction = 0.2;           ///< [1], >= 0
-  double rolling_friction = 0.0;          ///< [1], >= 0
-  double cohesion_energy_density = 0.0;   ///< [J/m^3], >= 0 (sjkr, sjkr2, linear)
-  double surface_energy = 0.0;            ///< [J/m^2], work of adhesion of the pair, >= 0 (jkr)
+  double restitution = 0.5;             ///< [1], in (0, 1]
+  double static_friction = 0.2;         ///< [1], >= 0
+  double rolling_friction = 0.0;        ///< [1], >= 0
+  double cohesion_energy_density = 0.0; ///< [J/m^3], >= 0 (sjkr, sjkr2, linear)
+  double surface_energy = 0.0;          ///< [J/m^2], work of adhesion of the pair, >= 0 (jkr)
 };
 
 /// The mixed values of a pair of materials.
@@ -30,9 +30,9 @@ struct Interaction {
 ///   beta = ln e / sqrt(ln^2 e + pi^2)     (<= 0)
 /// Source: Di Renzo and Di Maio, Chem. Eng. Sci. 59 (2004) 525.
 struct PairMaterial {
-  double effective_modulus;        ///< E* [Pa]
-  double effective_shear_modulus;  ///< G* [Pa]
-  double damping_ratio;            ///< beta [1], in (-1, 0]
+  double effective_modulus;       ///< E* [Pa]
+  double effective_shear_modulus; ///< G* [Pa]
+  double damping_ratio;           ///< beta [1], in (-1, 0]
   Interaction interaction;
 };
 
@@ -51,7 +51,7 @@ public:
 
 private:
   std::vector<Material> materials_;
-  std::vector<std::vector<Interaction>> interactions_;  // n x n, symmetric
+  std::vector<std::vector<Interaction>> interactions_; // n x n, symmetric
 };
 
-}  // namespace dem
+} // namespace dem

@@ -9,4 +9,4 @@ using Vec3 = Eigen::Vector3d;
 
 inline constexpr double pi = 3.14159265358979323846;
 
-}  // namespace dem
+} // namespace dem

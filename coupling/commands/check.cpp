@@ -17,12 +17,13 @@ namespace {
 
 constexpr int n_timed_steps = 41;
 
-// A step of the pressed bed costs about so many times a step of the filling, measured over the seed's cycle.
+// A step of the pressed bed costs about so many times a step of the filling, measured over the
+// seed's cycle.
 constexpr double pressed_to_loose = 5.0;
 
 struct Costs {
-  double bytes;            ///< of grains, lists and records
-  double seconds_a_step;   ///< of wall clock, as the bed lies now
+  double bytes;          ///< of grains, lists and records
+  double seconds_a_step; ///< of wall clock, as the bed lies now
 };
 
 /// Runs a few steps of a copy: the press itself stays as it is.
@@ -31,10 +32,13 @@ Costs measure_costs(dem::World world, double step) {
   for (int k = 0; k < n_timed_steps; ++k) {
     auto const start = std::chrono::steady_clock::now();
     dem::advance(world, step);
-    seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    seconds.push_back(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
-  std::ranges::sort(seconds);  // the median: the first step builds lists, another may have waited for a busy processor
-  constexpr double bytes_a_grain = 5.0 * sizeof(dem::Vec3) + 2.0 * sizeof(double) + sizeof(std::uint32_t) + 1.0;
+  std::ranges::sort(seconds); // the median: the first step builds lists, another may have waited
+                              // for a busy processor
+  constexpr double bytes_a_grain =
+      5.0 * sizeof(dem::Vec3) + 2.0 * sizeof(double) + sizeof(std::uint32_t) + 1.0;
   double const grains = bytes_a_grain * static_cast<double>(world.grains.size());
   return {.bytes = grains + static_cast<double>(world.contacts.statistics(world).bytes),
           .seconds_a_step = seconds[n_timed_steps / 2]};
@@ -42,30 +46,35 @@ Costs measure_costs(dem::World world, double step) {
 
 double solid_fraction(Case const& setup, dem::Spheres const& grains) {
   double volume = 0.0;
-  for (double const radius : grains.radius) volume += dem::sphere_volume(radius);
+  for (double const radius : grains.radius)
+    volume += dem::sphere_volume(radius);
   double const bore = setup.tooling.bore_diameter;
   return volume / (0.25 * dem::pi * bore * bore * setup.powder.fill_height);
 }
 
-void say(std::string const& name, std::string const& value) { std::cout << fmt::format("{:<28}{}\n", name, value); }
+void say(std::string const& name, std::string const& value) {
+  std::cout << fmt::format("{:<28}{}\n", name, value);
+}
 
 void describe_grains(Press const& press) {
   dem::Spheres const& grains = press.world.grains;
   say("grains", fmt::format("{}", grains.size()));
   for (std::size_t k = 0; k < press.setup.powder.components.size(); ++k)
     say("  " + press.setup.powder.components[k].material.name,
-        fmt::format("{}", std::count(grains.material.begin(), grains.material.end(), static_cast<std::uint8_t>(k))));
+        fmt::format("{}", std::count(grains.material.begin(), grains.material.end(),
+                                     static_cast<std::uint8_t>(k))));
   say("mass", fmt::format("{:.6g} g", 1e3 * press.grain_mass));
   say("solid fraction of the fill", fmt::format("{:.4f}", solid_fraction(press.setup, grains)));
 }
 
 void describe_tools(Press const& press) {
   for (dem::Tool const& tool : press.world.tools)
-    say(tool.name, fmt::format("{} triangles, {} smooth patches", tool.surface.triangles().triangles.size(),
-                               tool.surface.patches().size()));
+    say(tool.name,
+        fmt::format("{} triangles, {} smooth patches", tool.surface.triangles().triangles.size(),
+                    tool.surface.patches().size()));
 }
 
-}  // namespace
+} // namespace
 
 int check(CaseChoice const& choice) {
   Case const setup = read_chosen_case(choice);
@@ -85,9 +94,10 @@ int check(CaseChoice const& choice) {
   say("simulated time", fmt::format("{:.6g} s", simulated));
   say("steps", fmt::format("{:.0f}", steps));
   say("memory", fmt::format("{:.1f} MB", 1e-6 * costs.bytes));
-  say("estimated duration", fmt::format("{:.0f} s to {:.0f} s (as loose as now; pressed)", steps * costs.seconds_a_step,
-                                        pressed_to_loose * steps * costs.seconds_a_step));
+  say("estimated duration",
+      fmt::format("{:.0f} s to {:.0f} s (as loose as now; pressed)", steps * costs.seconds_a_step,
+                  pressed_to_loose * steps * costs.seconds_a_step));
   return done;
 }
 
-}  // namespace coupling::commands
+} // namespace coupling::commands

@@ -16,14 +16,16 @@ using Command = std::function<int()>;
 
 void add_case_choice(CLI::App& app, CaseChoice& choice) {
   app.add_option("case", choice.file, "case file, .prm or .json")->required();
-  app.add_option("--set", choice.overrides, "change an entry: 'Section/Entry=value'; may be repeated")
+  app.add_option("--set", choice.overrides,
+                 "change an entry: 'Section/Entry=value'; may be repeated")
       ->take_all()
       ->allow_extra_args(false);
   app.add_option("--setup", choice.setup, "row of the table of set-ups beside the case, by name");
 }
 
 void add_execution(CLI::App& app, int& threads, std::string& until, bool& quiet) {
-  app.add_option("--threads", threads, "number of threads (results do not depend on it)")->check(CLI::Range(1, 1024));
+  app.add_option("--threads", threads, "number of threads (results do not depend on it)")
+      ->check(CLI::Range(1, 1024));
   app.add_option("--until", until, "stop at the end of this stage");
   app.add_flag("--quiet", quiet, "no progress on standard error");
 }
@@ -39,14 +41,16 @@ void declare_run(CLI::App& program, Command& command) {
 }
 
 void declare_check(CLI::App& program, Command& command) {
-  CLI::App& app = *program.add_subcommand("check", "read, validate and describe a case without running it");
+  CLI::App& app =
+      *program.add_subcommand("check", "read, validate and describe a case without running it");
   auto choice = std::make_shared<CaseChoice>();
   add_case_choice(app, *choice);
   app.callback([choice, &command] { command = [choice] { return check(*choice); }; });
 }
 
 void declare_resume(CLI::App& program, Command& command) {
-  CLI::App& app = *program.add_subcommand("resume", "continue an interrupted run, to the same bits");
+  CLI::App& app =
+      *program.add_subcommand("resume", "continue an interrupted run, to the same bits");
   auto options = std::make_shared<ResumeOptions>();
   app.add_option("folder", options->folder, "run folder, or one restart file in it")->required();
   add_execution(app, options->threads, options->until, options->quiet);
@@ -56,7 +60,8 @@ void declare_resume(CLI::App& program, Command& command) {
 void declare_compare(CLI::App& program, Command& command) {
   CLI::App& app = *program.add_subcommand("compare", "overlay runs, curve files and observed data");
   auto options = std::make_shared<CompareOptions>();
-  app.add_option("sources", options->sources, "two or more run folders, curve files or observed data")
+  app.add_option("sources", options->sources,
+                 "two or more run folders, curve files or observed data")
       ->required()
       ->expected(2, -1);
   app.add_option("-o,--output", options->file, "page to write (default: comparison.html)");
@@ -71,16 +76,20 @@ void declare_report(CLI::App& program, Command& command) {
 }
 
 void declare_defaults(CLI::App& program, Command& command) {
-  CLI::App& app = *program.add_subcommand("defaults", "every case entry with default, unit, range and description");
+  CLI::App& app = *program.add_subcommand(
+      "defaults", "every case entry with default, unit, range and description");
   auto format = std::make_shared<std::string>("prm");
   app.add_option("--format", *format, "prm or json")->check(CLI::IsMember({"prm", "json"}));
   app.callback([format, &command] {
-    command = [format] { return defaults(*format == "json" ? DefaultsFormat::json : DefaultsFormat::prm); };
+    command = [format] {
+      return defaults(*format == "json" ? DefaultsFormat::json : DefaultsFormat::prm);
+    };
   });
 }
 
 void declare_verify(CLI::App& program, Command& command) {
-  CLI::App& app = *program.add_subcommand("verify", "the verification suite: one row a benchmark, with its error");
+  CLI::App& app = *program.add_subcommand(
+      "verify", "the verification suite: one row a benchmark, with its error");
   auto filter = std::make_shared<std::string>();
   app.add_option("--filter", *filter, "only benchmarks whose name contains this");
   app.callback([filter, &command] { command = [filter] { return verify(*filter); }; });
@@ -92,7 +101,8 @@ void declare_later(CLI::App& program, Command& command, std::string const& name)
   app.allow_extras();
   app.callback([name, &command] {
     command = [name] {
-      std::cerr << "presscheck " << name << ": this version does not have it yet. Is there a newer one?\n";
+      std::cerr << "presscheck " << name
+                << ": this version does not have it yet. Is there a newer one?\n";
       return wrong_input;
     };
   });
@@ -103,7 +113,7 @@ std::string on_one_line(std::string text) {
   return text;
 }
 
-}  // namespace
+} // namespace
 
 int run_command_line(int argc, char const* const* argv) {
   CLI::App program("Can this simulation of powder pressing be trusted?", "presscheck");
@@ -124,10 +134,11 @@ int run_command_line(int argc, char const* const* argv) {
   } catch (CLI::Success const& help_or_version) {
     return program.exit(help_or_version);
   } catch (CLI::ParseError const& error) {
-    std::cerr << "presscheck: " << on_one_line(error.what()) << ". What does presscheck --help say?\n";
+    std::cerr << "presscheck: " << on_one_line(error.what())
+              << ". What does presscheck --help say?\n";
     return wrong_input;
   }
   return command();
 }
 
-}  // namespace coupling::commands
+} // namespace coupling::commands

@@ -9,4 +9,4 @@ int defaults(DefaultsFormat format) {
   return done;
 }
 
-}  // namespace coupling::commands
+} // namespace coupling::commands

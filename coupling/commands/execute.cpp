@@ -18,8 +18,8 @@ namespace coupling::commands {
 namespace {
 
 int report_interruption(RunFolder const& folder, Press const& press) {
-  std::cerr << fmt::format("interrupted at t = {:.6g} s; {}. Continue with: presscheck resume {}\n", press.world.time,
-                           folder.last_restart(), folder.path().string());
+  std::cerr << fmt::format("interrupted at t = {:.6g} s; {}. Continue with: presscheck resume {}\n",
+                           press.world.time, folder.last_restart(), folder.path().string());
   return interrupted;
 }
 
@@ -30,31 +30,37 @@ void report_end(RunFolder const& folder, Press const& press, RunEnd end) {
   std::cout << fmt::format("report: {}\n", (folder.path() / "report.html").string());
 }
 
-}  // namespace
+} // namespace
 
 void check_last_stage(Press const& press, std::string const& until) {
   auto const stages = press.programme.stages();
-  if (until.empty() || std::ranges::count(stages, until, &Stage::name) > 0) return;
+  if (until.empty() || std::ranges::count(stages, until, &Stage::name) > 0)
+    return;
   std::string names;
-  for (Stage const& stage : stages) names += (names.empty() ? "" : ", ") + stage.name;
-  throw dem::InvalidInput(fmt::format("--until {}: there is no such stage (there are: {}). Is it misspelt?", until, names));
+  for (Stage const& stage : stages)
+    names += (names.empty() ? "" : ", ") + stage.name;
+  throw dem::InvalidInput(fmt::format(
+      "--until {}: there is no such stage (there are: {}). Is it misspelt?", until, names));
 }
 
 Case read_chosen_case(CaseChoice const& choice) {
   // What is set by hand comes last and wins over the set-up's.
   std::vector<std::string> overrides;
-  if (!choice.setup.empty()) overrides = setup_overrides(choice.file, choice.setup);
+  if (!choice.setup.empty())
+    overrides = setup_overrides(choice.file, choice.setup);
   overrides.insert(overrides.end(), choice.overrides.begin(), choice.overrides.end());
   return read_case(choice.file, overrides);
 }
 
 void use_threads(int threads) {
-  if (threads > 0) omp_set_num_threads(threads);
+  if (threads > 0)
+    omp_set_num_threads(threads);
 }
 
 int execute(Press& press, Execution const& how) {
   RunFolder folder(how.folder, press.world.time);
-  if (how.is_new) folder.write_inputs(press);
+  if (how.is_new)
+    folder.write_inputs(press);
   Progress progress(std::cerr, progress_style(STDERR_FILENO, how.quiet));
   InterruptWatch const watch;
   PressCycle cycle(press, folder, progress, InterruptWatch::is_requested);
@@ -76,4 +82,4 @@ int execute(Press& press, Execution const& how) {
   return done;
 }
 
-}  // namespace coupling::commands
+} // namespace coupling::commands

@@ -9,9 +9,9 @@ namespace coupling::commands {
 
 struct Execution {
   std::filesystem::path folder;
-  std::string until;             ///< last stage to run; empty = all
+  std::string until; ///< last stage to run; empty = all
   bool quiet = false;
-  bool is_new = true;            ///< write the inputs, too
+  bool is_new = true; ///< write the inputs, too
 };
 
 /// Runs a press to its end, to a stage or to an interruption, and writes what there is to write.
@@ -29,4 +29,4 @@ void use_threads(int threads);
 struct CaseChoice;
 Case read_chosen_case(CaseChoice const& choice);
 
-}  // namespace coupling::commands
+} // namespace coupling::commands

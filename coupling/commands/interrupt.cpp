@@ -7,7 +7,9 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void note_request(int) { requested = 1; }
+void note_request(int) {
+  requested = 1;
+}
 
 void set_handler(int signal, void (*handler)(int)) {
   struct sigaction action {};
@@ -17,7 +19,7 @@ void set_handler(int signal, void (*handler)(int)) {
   sigaction(signal, &action, nullptr);
 }
 
-}  // namespace
+} // namespace
 
 InterruptWatch::InterruptWatch() {
   requested = 0;
@@ -30,6 +32,8 @@ InterruptWatch::~InterruptWatch() {
   set_handler(SIGTERM, SIG_DFL);
 }
 
-bool InterruptWatch::is_requested() { return requested != 0; }
+bool InterruptWatch::is_requested() {
+  return requested != 0;
+}
 
-}  // namespace coupling
+} // namespace coupling

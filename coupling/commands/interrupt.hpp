@@ -2,7 +2,8 @@
 
 namespace coupling {
 
-/// While it lives, the first SIGINT or SIGTERM is only noted; a second one ends the program as usual.
+/// While it lives, the first SIGINT or SIGTERM is only noted; a second one ends the program as
+/// usual.
 class InterruptWatch {
 public:
   InterruptWatch();
@@ -13,4 +14,4 @@ public:
   static bool is_requested();
 };
 
-}  // namespace coupling
+} // namespace coupling

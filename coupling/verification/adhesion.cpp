@@ -11,7 +11,7 @@ namespace {
 
 struct Convention {
   char const* name;
-  double factor;  ///< C of A = C R* d
+  double factor; ///< C of A = C R* d
 };
 
 Recipe cohesive(char const* law) {
@@ -55,7 +55,8 @@ double lowest(std::function<double(double)> const& f, double a, double b) {
 std::vector<Benchmark> linear(Convention const& convention) {
   Recipe const recipe = cohesive(convention.name);
   double const R = 0.25e-3, E = recipe.grain.young_modulus, nu = recipe.grain.poisson_ratio;
-  LinearCohesion const exact{.stiffness = 4.0 / 3.0 * effective_modulus(E, nu, E, nu) * std::sqrt(R / 2.0),
+  LinearCohesion const exact{.stiffness =
+                                 4.0 / 3.0 * effective_modulus(E, nu, E, nu) * std::sqrt(R / 2.0),
                              .slope = convention.factor * R / 2.0 * 5e6};
   auto const force = [&](double overlap) { return resting_force(recipe, R, overlap); };
   double const d0 = exact.zero_force_overlap();
@@ -68,8 +69,9 @@ std::vector<Benchmark> linear(Convention const& convention) {
       // A minimum is flat: its place is known to the root of the rounding of its value.
       compare(name + "/deepest_overlap", exact.deepest_overlap(), deepest, 1e-6, source)};
   if (std::string(convention.name) == "sjkr2") {
-    rows.push_back(compare(name + "/liggghts_pair_at_rest", 1.561402e-5, bisect(force, 0.5 * d0, 2.0 * d0),
-                           1e-6, "LIGGGHTS 3.8.0, pair settled at rest"));
+    rows.push_back(compare(name + "/liggghts_pair_at_rest", 1.561402e-5,
+                           bisect(force, 0.5 * d0, 2.0 * d0), 1e-6,
+                           "LIGGGHTS 3.8.0, pair settled at rest"));
   }
   return rows;
 }
@@ -77,7 +79,7 @@ std::vector<Benchmark> linear(Convention const& convention) {
 /// Two grains so heavy that they keep their speed are drawn apart: the force over the overlap.
 std::vector<std::pair<double, double>> draw_apart(Recipe const& recipe, double radius, double speed,
                                                   double from, double to, int steps) {
-  double const heavy = 1e15;  // [kg/m^3]
+  double const heavy = 1e15; // [kg/m^3]
   dem::World world = empty_world(recipe);
   dem::Vec3 const apart(0, 0, 0.5 * speed);
   world.grains.add(dem::Vec3(0, 0, 2.0 * radius - from), radius, heavy, 0, apart);
@@ -103,7 +105,8 @@ std::vector<Benchmark> jkr() {
   recipe.grain_grain.restitution = 1.0;
   recipe.grain_grain.surface_energy = 5.0;
   double const R = 0.25e-3, E = recipe.grain.young_modulus, nu = recipe.grain.poisson_ratio;
-  Adhesion const exact{.effective_modulus = effective_modulus(E, nu, E, nu), .effective_radius = R / 2.0,
+  Adhesion const exact{.effective_modulus = effective_modulus(E, nu, E, nu),
+                       .effective_radius = R / 2.0,
                        .work = 5.0};
   double const d0 = exact.zero_load_overlap();
   int const steps = 40000;
@@ -123,23 +126,26 @@ std::vector<Benchmark> jkr() {
     }
   }
   char const* const source = "Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301";
-  // One step is 1.5e-4 of d0; the branch ends with an infinite slope, so its last force is known to the root of that.
+  // One step is 1.5e-4 of d0; the branch ends with an infinite slope, so its last force is known to
+  // the root of that.
   return {compare("jkr/pull_off_force", exact.pull_off_force(), pull_off, 1e-6, source),
           compare("jkr/zero_load_overlap", d0, zero, 1e-5, source),
           compare("jkr/separation_overlap", exact.separation_overlap(), last_overlap, 5e-4, source),
           compare("jkr/separation_force", exact.separation_force(), last_force, 2e-2, source)};
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Experiment> adhesion_experiments() {
   std::vector<Experiment> all;
-  for (Convention const& convention : {Convention{"sjkr2", 4.0 * pi}, Convention{"linear_reduced", 2.0 * pi},
-                                       Convention{"linear_hertz_circle", pi}}) {
-    all.push_back({std::string("cohesion/") + convention.name, [convention] { return linear(convention); }});
+  for (Convention const& convention :
+       {Convention{"sjkr2", 4.0 * pi}, Convention{"linear_reduced", 2.0 * pi},
+        Convention{"linear_hertz_circle", pi}}) {
+    all.push_back(
+        {std::string("cohesion/") + convention.name, [convention] { return linear(convention); }});
   }
   all.push_back({"jkr", jkr});
   return all;
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

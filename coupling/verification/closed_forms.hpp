@@ -18,7 +18,9 @@ inline double effective_shear_modulus(double E_i, double nu_i, double E_j, doubl
 }
 
 /// a b / (a + b): effective radius and mass.
-inline double reduced(double a, double b) { return a * b / (a + b); }
+inline double reduced(double a, double b) {
+  return a * b / (a + b);
+}
 
 inline double sphere_mass(double density, double radius) {
   return density * 4.0 / 3.0 * pi * radius * radius * radius;
@@ -26,10 +28,10 @@ inline double sphere_mass(double density, double radius) {
 
 /// Two elastic bodies that meet head-on.
 struct HertzImpact {
-  double effective_modulus;  ///< E* [Pa]
-  double effective_radius;   ///< R* [m]
-  double effective_mass;     ///< m* [kg]
-  double speed;              ///< v [m/s], relative, > 0
+  double effective_modulus; ///< E* [Pa]
+  double effective_radius;  ///< R* [m]
+  double effective_mass;    ///< m* [kg]
+  double speed;             ///< v [m/s], relative, > 0
 
   /// K = 4/3 E* sqrt(R*)  [N/m^(3/2)]
   double stiffness() const { return 4.0 / 3.0 * effective_modulus * std::sqrt(effective_radius); }
@@ -38,7 +40,7 @@ struct HertzImpact {
     return std::pow(5.0 * effective_mass * speed * speed / (4.0 * stiffness()), 0.4);
   }
   double max_force() const { return stiffness() * std::pow(max_overlap(), 1.5); }
-  /// T = 2 d_max/v int_0^1 du / sqrt(1 - u^(5/2)) = (4/5) B(2/5, 1/2) d_max/v = 2.9433 d_max/v  [s].
+  /// T = 2 d_max/v int_0^1 du / sqrt(1 - u^(5/2)) = (4/5) B(2/5, 1/2) d_max/v = 2.9433 d_max/v [s].
   /// Johnson (1985), eq. 11.24.
   double duration() const {
     double const beta = std::tgamma(0.4) * std::tgamma(0.5) / std::tgamma(0.9);
@@ -48,8 +50,8 @@ struct HertzImpact {
 
 /// Force K d^(3/2) - c d: Hertz with a cohesion proportional to the overlap.
 struct LinearCohesion {
-  double stiffness;  ///< K [N/m^(3/2)]
-  double slope;      ///< c [N/m]
+  double stiffness; ///< K [N/m^(3/2)]
+  double slope;     ///< c [N/m]
 
   double zero_force_overlap() const { return std::pow(slope / stiffness, 2); }
   double deepest_overlap() const { return 4.0 / 9.0 * zero_force_overlap(); }
@@ -57,7 +59,8 @@ struct LinearCohesion {
 };
 
 /// Linear spring k and dashpot -2 beta sqrt(k m) with restitution e, from d = 0 back to d = 0.
-/// T = pi / (w0 sqrt(1 - z^2)),  z = |ln e| / sqrt(ln^2 e + pi^2): the velocity ratio is exp(-pi z / sqrt(1 - z^2)) = e.
+/// T = pi / (w0 sqrt(1 - z^2)),  z = |ln e| / sqrt(ln^2 e + pi^2): the velocity ratio is exp(-pi z
+/// / sqrt(1 - z^2)) = e.
 inline double hooke_duration(double stiffness, double effective_mass, double restitution) {
   double const lne = std::log(restitution);
   double const z2 = lne * lne / (lne * lne + pi * pi);
@@ -73,9 +76,9 @@ inline double hooke_stiffness(double modulus, double radius, double mass, double
 
 /// Johnson, Kendall and Roberts (1971), work of adhesion w [J/m^2].
 struct Adhesion {
-  double effective_modulus;  ///< E* [Pa]
-  double effective_radius;   ///< R* [m]
-  double work;               ///< w [J/m^2]
+  double effective_modulus; ///< E* [Pa]
+  double effective_radius;  ///< R* [m]
+  double work;              ///< w [J/m^2]
 
   /// -(3/2) pi w R*  [N]
   double pull_off_force() const { return -1.5 * pi * work * effective_radius; }
@@ -87,8 +90,8 @@ struct Adhesion {
   double zero_load_overlap() const {
     return std::pow(zero_load_contact_radius(), 2) / (3.0 * effective_radius);
   }
-  /// Where the stable branch ends under displacement control, dd/da = 0: a^(3/2) = s R*/4 with s = sqrt(2 pi w/E*):
-  /// d = -(3/4) s (s R*/4)^(1/3)  [m]
+  /// Where the stable branch ends under displacement control, dd/da = 0: a^(3/2) = s R*/4 with s =
+  /// sqrt(2 pi w/E*): d = -(3/4) s (s R*/4)^(1/3)  [m]
   double separation_overlap() const {
     double const s = std::sqrt(2.0 * pi * work / effective_modulus);
     return -0.75 * s * std::cbrt(s * effective_radius / 4.0);
@@ -97,23 +100,23 @@ struct Adhesion {
   double separation_force() const { return -5.0 / 6.0 * pi * work * effective_radius; }
 };
 
-/// Area of the loop force against slip for a spring k_t and Coulomb's limit f, slip amplitude X > f/k_t [J]:
-/// a parallelogram of height 2 f and width 2 (X - f/k_t).
+/// Area of the loop force against slip for a spring k_t and Coulomb's limit f, slip amplitude X >
+/// f/k_t [J]: a parallelogram of height 2 f and width 2 (X - f/k_t).
 inline double friction_loop_area(double limit, double tangential_stiffness, double amplitude) {
   return 4.0 * limit * (amplitude - limit / tangential_stiffness);
 }
 
-/// Rigid sphere that slides during the whole impact with impulse P = m (v_n + v_n') on the normal side:
-/// the spin gains 5/2 mu (v_n + v_n')/R, the centre loses mu (v_n + v_n'), the contact point 7/2 mu (v_n + v_n').
-/// Foerster, Louge, Chang and Allia, Phys. Fluids 6 (1994) 1108.
+/// Rigid sphere that slides during the whole impact with impulse P = m (v_n + v_n') on the normal
+/// side: the spin gains 5/2 mu (v_n + v_n')/R, the centre loses mu (v_n + v_n'), the contact point
+/// 7/2 mu (v_n + v_n'). Foerster, Louge, Chang and Allia, Phys. Fluids 6 (1994) 1108.
 struct SlidingImpact {
-  double friction;        ///< mu
-  double normal_speeds;   ///< v_n + v_n' [m/s]
-  double radius;          ///< [m]
+  double friction;      ///< mu
+  double normal_speeds; ///< v_n + v_n' [m/s]
+  double radius;        ///< [m]
 
   double spin_gain() const { return 2.5 * friction * normal_speeds / radius; }
   double centre_loss() const { return friction * normal_speeds; }
   double surface_loss() const { return 3.5 * friction * normal_speeds; }
 };
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -20,30 +20,41 @@ Recipe smooth(double restitution, dem::Precision precision) {
 }
 
 /// Elastic impact of two unequal grains: duration, deepest overlap and largest force.
-std::vector<Benchmark> elastic_pair(std::string const& name, dem::Precision precision, double tolerance) {
-  ImpactSetup const setup{.recipe = smooth(1.0, precision), .radius = 0.5e-3, .other_radius = 1.5e-3,
-                          .velocity = dem::Vec3(0, 0, -0.5), .other_velocity = dem::Vec3(0, 0, 0.1)};
+std::vector<Benchmark> elastic_pair(std::string const& name, dem::Precision precision,
+                                    double tolerance) {
+  ImpactSetup const setup{.recipe = smooth(1.0, precision),
+                          .radius = 0.5e-3,
+                          .other_radius = 1.5e-3,
+                          .velocity = dem::Vec3(0, 0, -0.5),
+                          .other_velocity = dem::Vec3(0, 0, 0.1)};
   HertzImpact const exact = setup.expected();
   ImpactResult const found = collide(setup);
-  return {compare(name + "/duration", exact.duration(), found.duration, tolerance, johnson),
-          compare(name + "/max_overlap", exact.max_overlap(), found.max_overlap, tolerance, johnson),
-          compare(name + "/max_force", exact.max_force(), found.max_force, tolerance, johnson),
-          compare(name + "/separation_speed", exact.speed, found.separation_speed, tolerance,
-                  "conservation of energy")};
+  return {
+      compare(name + "/duration", exact.duration(), found.duration, tolerance, johnson),
+      compare(name + "/max_overlap", exact.max_overlap(), found.max_overlap, tolerance, johnson),
+      compare(name + "/max_force", exact.max_force(), found.max_force, tolerance, johnson),
+      compare(name + "/separation_speed", exact.speed, found.separation_speed, tolerance,
+              "conservation of energy")};
 }
 
-/// Restitution realised by velocity Verlet at three steps: an alumina grain of 0.25 mm meets a magnesia grain of
-/// 1.5 mm at 0.2 m/s from 1 um away. The deviation from 0.5 is the integrator's, and belongs to the step.
+/// Restitution realised by velocity Verlet at three steps: an alumina grain of 0.25 mm meets a
+/// magnesia grain of 1.5 mm at 0.2 m/s from 1 um away. The deviation from 0.5 is the integrator's,
+/// and belongs to the step.
 std::vector<Benchmark> restitution_at_step() {
   struct Row {
     char const* name;
     double step, restitution;
   };
   std::vector<Benchmark> rows;
-  for (auto const& [name, step, restitution] : {Row{"4e-7", 4e-7, 0.497961}, Row{"5e-8", 5e-8, 0.499881},
-                                                Row{"6.25e-9", 6.25e-9, 0.499983}}) {
-    ImpactSetup setup{.recipe = smooth(0.5, dem::Precision::full), .radius = 0.25e-3, .other_radius = 1.5e-3,
-                      .other_mass_factor = 3500.0 / 3000.0, .velocity = dem::Vec3(0, 0, -0.2), .gap = 1e-6,
+  for (auto const& [name, step, restitution] :
+       {Row{"4e-7", 4e-7, 0.497961}, Row{"5e-8", 5e-8, 0.499881},
+        Row{"6.25e-9", 6.25e-9, 0.499983}}) {
+    ImpactSetup setup{.recipe = smooth(0.5, dem::Precision::full),
+                      .radius = 0.25e-3,
+                      .other_radius = 1.5e-3,
+                      .other_mass_factor = 3500.0 / 3000.0,
+                      .velocity = dem::Vec3(0, 0, -0.2),
+                      .gap = 1e-6,
                       .time_step = step};
     setup.recipe.grain.density = 3000.0;
     // The reference has six digits.
@@ -57,8 +68,11 @@ std::vector<Benchmark> restitution_at_step() {
 std::vector<Benchmark> hooke() {
   std::vector<Benchmark> rows;
   for (double const e : {0.3, 0.9}) {
-    ImpactSetup setup{.recipe = smooth(e, dem::Precision::full), .radius = 0.5e-3, .other_radius = 1.5e-3,
-                      .velocity = dem::Vec3(0, 0, -0.2), .steps = 40000};
+    ImpactSetup setup{.recipe = smooth(e, dem::Precision::full),
+                      .radius = 0.5e-3,
+                      .other_radius = 1.5e-3,
+                      .velocity = dem::Vec3(0, 0, -0.2),
+                      .steps = 40000};
     setup.recipe.law.normal = "hooke";
     setup.recipe.law.characteristic_velocity = 0.2;
     HertzImpact const impact = setup.expected();
@@ -69,13 +83,13 @@ std::vector<Benchmark> hooke() {
     // Touch falls between two steps: an error of first order in the step, 2.5e-5 of the contact.
     rows.push_back(compare(name + "/restitution", e, found.separation_speed / impact.speed, 1e-4,
                            "damped oscillator, exp(-pi z / sqrt(1 - z^2)) = e"));
-    rows.push_back(compare(name + "/duration", hooke_duration(k, impact.effective_mass, e), found.duration,
-                           1e-4, "damped oscillator, half a period"));
+    rows.push_back(compare(name + "/duration", hooke_duration(k, impact.effective_mass, e),
+                           found.duration, 1e-4, "damped oscillator, half a period"));
   }
   return rows;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Experiment> collision_experiments() {
   // 4000 steps a contact: velocity Verlet leaves about 1e-6, touch between steps about as much.
@@ -85,4 +99,4 @@ std::vector<Experiment> collision_experiments() {
           {"hooke", hooke}};
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

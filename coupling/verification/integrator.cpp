@@ -7,11 +7,12 @@
 namespace coupling::verification {
 namespace {
 
-/// A grain squeezed by linear springs between two plates: an undamped oscillator of frequency w = sqrt(2 k/m).
+/// A grain squeezed by linear springs between two plates: an undamped oscillator of frequency w =
+/// sqrt(2 k/m).
 struct Oscillator {
   dem::World world;
-  double frequency;  ///< w [rad/s]
-  double amplitude;  ///< [m], of the start, at rest
+  double frequency; ///< w [rad/s]
+  double amplitude; ///< [m], of the start, at rest
 };
 
 Oscillator squeezed_grain() {
@@ -26,7 +27,8 @@ Oscillator squeezed_grain() {
   world.grains.add(dem::Vec3(0, 0, amplitude), R, recipe.grain.density, 0);
   Eigen::Matrix3d const face_down = Eigen::Vector3d(1, -1, -1).asDiagonal();
   add_tool(world, "below", plate(20.0 * R, 5.0 * R), dem::Vec3(0, 0, -R + overlap));
-  add_tool(world, "above", turned(plate(20.0 * R, 5.0 * R), face_down), dem::Vec3(0, 0, R - overlap));
+  add_tool(world, "above", turned(plate(20.0 * R, 5.0 * R), face_down),
+           dem::Vec3(0, 0, R - overlap));
   double const m = sphere_mass(recipe.grain.density, R);
   double const E = effective_modulus(recipe.grain.young_modulus, recipe.grain.poisson_ratio,
                                      recipe.wall.young_modulus, recipe.wall.poisson_ratio);
@@ -35,19 +37,21 @@ Oscillator squeezed_grain() {
   return {std::move(world), std::sqrt(2.0 * k / m), amplitude};
 }
 
-/// Error of the position after a period and an eighth in n steps, over the amplitude. At an eighth the position
-/// changes with the phase, so the error of the frequency shows at first order.
+/// Error of the position after a period and an eighth in n steps, over the amplitude. At an eighth
+/// the position changes with the phase, so the error of the frequency shows at first order.
 double phase_error(int n) {
   Oscillator oscillator = squeezed_grain();
   double const phase = 2.25 * pi;
   double const dt = phase / oscillator.frequency / n;
-  for (int k = 0; k < n; ++k) dem::advance(oscillator.world, dt);
+  for (int k = 0; k < n; ++k)
+    dem::advance(oscillator.world, dt);
   return oscillator.world.grains.position[0].z() / oscillator.amplitude - std::cos(phase);
 }
 
 std::vector<Benchmark> order() {
   double const coarse = phase_error(100), fine = phase_error(200);
-  // Velocity Verlet turns by asin(w dt/2) where the oscillator turns by w dt/2: phase 2 n asin(phase/(2n)).
+  // Velocity Verlet turns by asin(w dt/2) where the oscillator turns by w dt/2: phase 2 n
+  // asin(phase/(2n)).
   double const phase = 2.25 * pi;
   double const expected = std::cos(200.0 * std::asin(phase / 200.0)) - std::cos(phase);
   return {compare("integrator/order", 2.0, std::log2(coarse / fine), 1e-2,
@@ -63,7 +67,8 @@ double excursion(double share) {
   double largest = 0.0;
   for (int k = 0; k < 300 && largest < 1e3; ++k) {
     dem::advance(oscillator.world, dt);
-    largest = std::max(largest, std::abs(oscillator.world.grains.position[0].z()) / oscillator.amplitude);
+    largest =
+        std::max(largest, std::abs(oscillator.world.grains.position[0].z()) / oscillator.amplitude);
   }
   return largest;
 }
@@ -71,13 +76,17 @@ double excursion(double share) {
 std::vector<Benchmark> stability() {
   Oscillator const oscillator = squeezed_grain();
   double const critical = 2.0 / oscillator.frequency;
-  // Below the limit the excursion stays at the start's 1; above, it grows by 1.33 a step until the grain leaves.
+  // Below the limit the excursion stays at the start's 1; above, it grows by 1.33 a step until the
+  // grain leaves.
   bool const grows = excursion(1.01) > 30.0;
   double const estimate = dem::stable_time_step(oscillator.world) / critical;
-  return {compare("stability/excursion_just_below", 1.0, excursion(0.99), 1e-3, "leapfrog: stable for w dt < 2"),
-          compare("stability/grows_just_above", 1.0, grows ? 1.0 : 0.0, 0.0, "leapfrog: unstable for w dt > 2"),
+  return {compare("stability/excursion_just_below", 1.0, excursion(0.99), 1e-3,
+                  "leapfrog: stable for w dt < 2"),
+          compare("stability/grows_just_above", 1.0, grows ? 1.0 : 0.0, 0.0,
+                  "leapfrog: unstable for w dt > 2"),
           // Plates do not move, so the grain's row of the stiffness matrix is w^2 = sum k/m itself.
-          compare("stability/step_estimate", 1.0, estimate, 1e-6, "Gershgorin's bound, exact between fixed plates")};
+          compare("stability/step_estimate", 1.0, estimate, 1e-6,
+                  "Gershgorin's bound, exact between fixed plates")};
 }
 
 std::vector<Benchmark> free_fall() {
@@ -90,7 +99,8 @@ std::vector<Benchmark> free_fall() {
   dem::prepare(world);
   double const dt = 1e-4;
   int const n = 1000;
-  for (int k = 0; k < n; ++k) dem::advance(world, dt);
+  for (int k = 0; k < n; ++k)
+    dem::advance(world, dt);
   double const t = n * dt;
   dem::Vec3 const exact = v * t + 0.5 * t * t * recipe.gravity;
   char const* const source = "Galilei: v t + g t^2/2, exact for velocity Verlet";
@@ -99,10 +109,10 @@ std::vector<Benchmark> free_fall() {
           compare("free_fall/spin_kept", 3.0, world.grains.spin[0].z(), 1e-15, "no torque")};
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Experiment> integrator_experiments() {
   return {{"integrator", order}, {"stability", stability}, {"free_fall", free_fall}};
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

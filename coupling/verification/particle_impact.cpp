@@ -5,11 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
-/// The eight particle-impact benchmarks of Chung and Ooi, Granular Matter 13 (2011) 643. Material data and the
-/// digitised curves as used by Yade's and Kratos' benchmark suites. A rigid plane is one a thousand times as stiff.
-/// In the oblique tests attraction is clipped and the tangential dashpot is off: the impulse of sliding friction is
-/// then mu times the normal impulse at any restitution. (The dashpot acts while the spring is below Coulomb's limit
-/// and its sum with the spring is not clipped: at e = 0.5 it adds 9 % to the impulse of tests 6 and 8.)
+/// The eight particle-impact benchmarks of Chung and Ooi, Granular Matter 13 (2011) 643. Material
+/// data and the digitised curves as used by Yade's and Kratos' benchmark suites. A rigid plane is
+/// one a thousand times as stiff. In the oblique tests attraction is clipped and the tangential
+/// dashpot is off: the impulse of sliding friction is then mu times the normal impulse at any
+/// restitution. (The dashpot acts while the spring is below Coulomb's limit and its sum with the
+/// spring is not clipped: at e = 0.5 it adds 9 % to the impulse of tests 6 and 8.)
 namespace coupling::verification {
 namespace {
 
@@ -21,9 +22,12 @@ struct Substance {
   double young_modulus, poisson_ratio, density;
 };
 constexpr Substance glass{"glass", 48e9, 0.20, 2800}, limestone{"limestone", 20e9, 0.25, 2500};
-constexpr Substance aluminium{"aluminium_alloy", 70e9, 0.33, 2700}, magnesium{"magnesium_alloy", 40e9, 0.35, 1800};
-constexpr Substance alumina{"aluminium_oxide", 380e9, 0.23, 4000}, cast_iron{"cast_iron", 100e9, 0.25, 7000};
-constexpr Substance steel{"steel", 208e9, 0.30, 7850}, polyethylene{"polyethylene", 1e9, 0.40, 1400};
+constexpr Substance aluminium{"aluminium_alloy", 70e9, 0.33, 2700},
+    magnesium{"magnesium_alloy", 40e9, 0.35, 1800};
+constexpr Substance alumina{"aluminium_oxide", 380e9, 0.23, 4000},
+    cast_iron{"cast_iron", 100e9, 0.25, 7000};
+constexpr Substance steel{"steel", 208e9, 0.30, 7850},
+    polyethylene{"polyethylene", 1e9, 0.40, 1400};
 constexpr Substance nylon{"nylon", 2.5e9, 0.40, 1000}, copper{"copper", 120e9, 0.35, 8900};
 
 /// @param wall_stiffness  Young's modulus of the plane over the grain's
@@ -49,12 +53,14 @@ std::string label(char const* test, Substance const& s, char const* format, doub
 }
 
 /// Tests 1 and 2: elastic normal impact, of two spheres and on a rigid plane.
-void elastic(std::vector<Benchmark>& rows, char const* test, ImpactSetup const& setup, Substance const& s) {
+void elastic(std::vector<Benchmark>& rows, char const* test, ImpactSetup const& setup,
+             Substance const& s) {
   HertzImpact const exact = setup.expected();
   ImpactResult const found = collide(setup);
   std::string const name = label(test, s, "", 0);
   rows.push_back(compare(name + "/max_force", exact.max_force(), found.max_force, 1e-4, "Hertz"));
-  rows.push_back(compare(name + "/max_overlap", exact.max_overlap(), found.max_overlap, 1e-4, "Hertz"));
+  rows.push_back(
+      compare(name + "/max_overlap", exact.max_overlap(), found.max_overlap, 1e-4, "Hertz"));
   rows.push_back(compare(name + "/duration", exact.duration(), found.duration, 1e-4, "Hertz"));
 }
 
@@ -67,12 +73,13 @@ std::vector<Benchmark> tests_1_and_2() {
     setup.other_velocity = dem::Vec3(0, 0, 10);
     elastic(rows, "1", setup, s);
     if (s.name == glass.name) {
-      rows.push_back(compare("chung_ooi/1/glass/max_force_published", 10.70e3, collide(setup).max_force, 1e-2,
-                             chung_ooi));
+      rows.push_back(compare("chung_ooi/1/glass/max_force_published", 10.70e3,
+                             collide(setup).max_force, 1e-2, chung_ooi));
     }
   }
   for (Substance s : {aluminium, magnesium}) {
-    if (s.name == aluminium.name) s.poisson_ratio = 0.30, s.density = 2699;  // test 2 has its own alloy
+    if (s.name == aluminium.name)
+      s.poisson_ratio = 0.30, s.density = 2699; // test 2 has its own alloy
     ImpactSetup setup = setup_of(s, 0.1, 1.0, 0.0);
     setup.velocity = dem::Vec3(0, 0, -0.2);
     elastic(rows, "2", setup, s);
@@ -84,7 +91,8 @@ std::vector<Benchmark> tests_1_and_2() {
   return rows;
 }
 
-/// Test 3: the restitution that comes out is the one put in. Without clipping: beta is exact for this dashpot.
+/// Test 3: the restitution that comes out is the one put in. Without clipping: beta is exact for
+/// this dashpot.
 std::vector<Benchmark> test_3() {
   std::vector<Benchmark> rows;
   for (Substance const& s : {alumina, cast_iron}) {
@@ -93,7 +101,8 @@ std::vector<Benchmark> test_3() {
       setup.recipe.law.clip_attractive_damping = false;
       setup.velocity = dem::Vec3(0, 0, -3.9);
       setup.steps = 20000;
-      rows.push_back(compare(label("3", s, "/restitution_%.1f", e), e, collide(setup).separation_speed / 3.9, 1e-3,
+      rows.push_back(compare(label("3", s, "/restitution_%.1f", e), e,
+                             collide(setup).separation_speed / 3.9, 1e-3,
                              "Tsuji et al. (1992): beta = ln e / sqrt(ln^2 e + pi^2) for Hertz"));
     }
   }
@@ -112,8 +121,8 @@ std::vector<Benchmark> test_4() {
       ImpactResult const found = collide(setup);
       SlidingImpact const exact{mu, found.separation_speed - setup.velocity.z(), R};
       // The lever arm is R - d/2, up to 0.2 % shorter than R.
-      rows.push_back(compare(label("4", s, "/%.0f_degrees/spin", degrees), exact.spin_gain(), found.spin.y(),
-                             3e-3, rigid_body));
+      rows.push_back(compare(label("4", s, "/%.0f_degrees/spin", degrees), exact.spin_gain(),
+                             found.spin.y(), 3e-3, rigid_body));
       rows.push_back(compare(label("4", s, "/%.0f_degrees/tangential_restitution", degrees),
                              1.0 - exact.centre_loss() / setup.velocity.x(),
                              found.velocity.x() / setup.velocity.x(), 1e-4, rigid_body));
@@ -122,13 +131,15 @@ std::vector<Benchmark> test_4() {
   struct Published {
     double degrees, restitution, spin;
   };
-  for (Published const& p : {Published{30, 0.684, 616.5}, Published{40, 0.781, 544.8}, Published{60, 0.893, 357.5}}) {
+  for (Published const& p :
+       {Published{30, 0.684, 616.5}, Published{40, 0.781, 544.8}, Published{60, 0.893, 357.5}}) {
     ImpactSetup setup = setup_of(alumina, R, 0.98, mu);
     double const angle = p.degrees * pi / 180.0;
     setup.velocity = 3.9 * dem::Vec3(std::sin(angle), 0, -std::cos(angle));
     ImpactResult const found = collide(setup);
-    rows.push_back(compare(label("4", alumina, "/%.0f_degrees/tangential_restitution_published", p.degrees),
-                           p.restitution, found.velocity.x() / setup.velocity.x(), 2e-2, chung_ooi));
+    rows.push_back(
+        compare(label("4", alumina, "/%.0f_degrees/tangential_restitution_published", p.degrees),
+                p.restitution, found.velocity.x() / setup.velocity.x(), 2e-2, chung_ooi));
     rows.push_back(compare(label("4", alumina, "/%.0f_degrees/spin_published", p.degrees), p.spin,
                            found.spin.y(), 2e-2, chung_ooi));
   }
@@ -141,24 +152,26 @@ std::vector<Benchmark> test_5() {
   double const R = 1e-5, mu = 0.3, vn = 5.0;
   for (auto const& [s, tolerance] : {std::pair{steel, 4e-3}, std::pair{polyethylene, 2e-2}}) {
     for (double const normalised : {8.0, 10.0, 13.0}) {
-      // Like on like, as in the paper; polyethylene is pressed in by 2.5 % of its radius: short lever arms.
+      // Like on like, as in the paper; polyethylene is pressed in by 2.5 % of its radius: short
+      // lever arms.
       ImpactSetup setup = setup_of(s, R, 1.0, mu, 1.0);
       setup.velocity = dem::Vec3(normalised * mu * vn, 0, -vn);
       ImpactResult const found = collide(setup);
       rows.push_back(compare(label("5", s, "/incident_%.0f/spin", normalised), 5.0,
                              R * found.spin.y() / (mu * vn), tolerance, rigid_body));
       double const recoil = (found.velocity.x() - R * found.spin.y()) / (mu * found.velocity.z());
-      rows.push_back(compare(label("5", s, "/incident_%.0f/recoil", normalised), normalised - 7.0, recoil,
-                             5.0 * tolerance / (normalised - 7.0), rigid_body));
+      rows.push_back(compare(label("5", s, "/incident_%.0f/recoil", normalised), normalised - 7.0,
+                             recoil, 5.0 * tolerance / (normalised - 7.0), rigid_body));
     }
   }
   return rows;
 }
 
-/// Tests 6 and 8: a spinning sphere falls on a plane, or on one of five times its radius and a thousand times its
-/// density; sliding where tan(incidence) > 7/2 mu (1 + e). beta = -v_s'/v_s of the contact point.
-/// A rigid sphere slides at once; this one must first stretch its spring to mu F/k_t, over a time as 1/incidence, and
-/// so misses a share of the impulse that was measured as 0.0205/incidence and of beta's 2.17/incidence in proportion.
+/// Tests 6 and 8: a spinning sphere falls on a plane, or on one of five times its radius and a
+/// thousand times its density; sliding where tan(incidence) > 7/2 mu (1 + e). beta = -v_s'/v_s of
+/// the contact point. A rigid sphere slides at once; this one must first stretch its spring to mu
+/// F/k_t, over a time as 1/incidence, and so misses a share of the impulse that was measured as
+/// 0.0205/incidence and of beta's 2.17/incidence in proportion.
 std::vector<Benchmark> tests_6_and_8() {
   std::vector<Benchmark> rows;
   double const R = 0.1, mu = 0.4, vn = 0.2;
@@ -166,24 +179,28 @@ std::vector<Benchmark> tests_6_and_8() {
     for (Substance const& s : {aluminium, nylon}) {
       for (double const incidence : {10.0, 20.0, 40.0}) {
         ImpactSetup setup = setup_of(s, R, 0.5, mu);
-        if (on_sphere) setup.other_radius = 5.0 * R, setup.other_mass_factor = 1000.0;
+        if (on_sphere)
+          setup.other_radius = 5.0 * R, setup.other_mass_factor = 1000.0;
         setup.velocity = dem::Vec3(0, 0, -vn);
-        setup.spin = dem::Vec3(0, -incidence * vn / R, 0);  // the contact point moves along +x
+        setup.spin = dem::Vec3(0, -incidence * vn / R, 0); // the contact point moves along +x
         ImpactResult const found = collide(setup);
         double const surface = found.velocity.x() - R * found.spin.y();
         SlidingImpact const exact{mu, vn + found.velocity.z(), R};
-        rows.push_back(compare(label(on_sphere ? "8" : "6", s, "/incidence_%.0f/tangential_restitution", incidence),
-                               exact.surface_loss() / (incidence * vn) - 1.0, -surface / (incidence * vn),
-                               0.08 / (incidence * incidence), rigid_body));
-        rows.push_back(compare(label(on_sphere ? "8" : "6", s, "/incidence_%.0f/centre_speed", incidence),
-                               -exact.centre_loss(), found.velocity.x(), 0.03 / incidence, rigid_body));
+        rows.push_back(compare(
+            label(on_sphere ? "8" : "6", s, "/incidence_%.0f/tangential_restitution", incidence),
+            exact.surface_loss() / (incidence * vn) - 1.0, -surface / (incidence * vn),
+            0.08 / (incidence * incidence), rigid_body));
+        rows.push_back(
+            compare(label(on_sphere ? "8" : "6", s, "/incidence_%.0f/centre_speed", incidence),
+                    -exact.centre_loss(), found.velocity.x(), 0.03 / incidence, rigid_body));
       }
     }
   }
   return rows;
 }
 
-/// Test 7: two equal spheres with opposite spins roll on each other like gears: nothing tangential happens.
+/// Test 7: two equal spheres with opposite spins roll on each other like gears: nothing tangential
+/// happens.
 std::vector<Benchmark> test_7() {
   std::vector<Benchmark> rows;
   for (Substance const& s : {aluminium, copper}) {
@@ -197,18 +214,19 @@ std::vector<Benchmark> test_7() {
       ImpactResult const found = collide(setup);
       rows.push_back(compare(label("7", s, "/spin_%.3f/kept", spin), spin, found.spin.y(), 1e-12,
                              "no relative motion at the contact point"));
-      rows.push_back(compare(label("7", s, "/spin_%.3f/centre_speed", spin), 0.0, found.velocity.x(), 1e-12,
-                             "no relative motion at the contact point"));
+      rows.push_back(compare(label("7", s, "/spin_%.3f/centre_speed", spin), 0.0,
+                             found.velocity.x(), 1e-12, "no relative motion at the contact point"));
     }
   }
   return rows;
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Experiment> particle_impact_experiments() {
-  return {{"chung_ooi/1_2", tests_1_and_2}, {"chung_ooi/3", test_3},     {"chung_ooi/4", test_4},
-          {"chung_ooi/5", test_5},          {"chung_ooi/6_8", tests_6_and_8}, {"chung_ooi/7", test_7}};
+  return {{"chung_ooi/1_2", tests_1_and_2}, {"chung_ooi/3", test_3},
+          {"chung_ooi/4", test_4},          {"chung_ooi/5", test_5},
+          {"chung_ooi/6_8", tests_6_and_8}, {"chung_ooi/7", test_7}};
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -6,12 +6,15 @@
 #include <string>
 #include <utility>
 
-/// Small worlds whose answer is known: one or two grains, a plate. Header only, so that tests of dem/ can use them.
+/// Small worlds whose answer is known: one or two grains, a plate. Header only, so that tests of
+/// dem/ can use them.
 namespace coupling::verification {
 
-/// A closed rectangular plate whose upper face z = 0 is n x n squares of two triangles each; the diagonals alternate
-/// in direction when `crossed`. Only the triangulation of the upper face depends on n.
-inline dem::TriangleSurface plate(double half_width, double thickness, int n = 1, bool crossed = false) {
+/// A closed rectangular plate whose upper face z = 0 is n x n squares of two triangles each; the
+/// diagonals alternate in direction when `crossed`. Only the triangulation of the upper face
+/// depends on n.
+inline dem::TriangleSurface plate(double half_width, double thickness, int n = 1,
+                                  bool crossed = false) {
   dem::TriangleSurface surface{.name = "plate", .vertices = {}, .triangles = {}};
   auto const at = [n](int i, int j) { return static_cast<std::uint32_t>(i * (n + 1) + j); };
   double const cell = 2.0 * half_width / n;
@@ -28,12 +31,17 @@ inline dem::TriangleSurface plate(double half_width, double thickness, int n = 1
       surface.triangles.push_back(other ? std::array{b, c, d} : std::array{a, c, d});
     }
   }
-  // Skirts run through every rim vertex of the upper face so that the surface stays closed; one fan is the bottom.
+  // Skirts run through every rim vertex of the upper face so that the surface stays closed; one fan
+  // is the bottom.
   std::vector<std::uint32_t> rim;
-  for (int i = 0; i < n; ++i) rim.push_back(at(i, 0));
-  for (int j = 0; j < n; ++j) rim.push_back(at(n, j));
-  for (int i = n; i > 0; --i) rim.push_back(at(i, n));
-  for (int j = n; j > 0; --j) rim.push_back(at(0, j));
+  for (int i = 0; i < n; ++i)
+    rim.push_back(at(i, 0));
+  for (int j = 0; j < n; ++j)
+    rim.push_back(at(n, j));
+  for (int i = n; i > 0; --i)
+    rim.push_back(at(i, n));
+  for (int j = n; j > 0; --j)
+    rim.push_back(at(0, j));
   auto const below = static_cast<std::uint32_t>(surface.vertices.size());
   for (std::uint32_t k : rim) {
     surface.vertices.push_back(surface.vertices[k] - dem::Vec3(0.0, 0.0, thickness));
@@ -52,7 +60,8 @@ inline dem::TriangleSurface plate(double half_width, double thickness, int n = 1
 
 /// The same surface turned by a rotation.
 inline dem::TriangleSurface turned(dem::TriangleSurface surface, Eigen::Matrix3d const& rotation) {
-  for (dem::Vec3& vertex : surface.vertices) vertex = rotation * vertex;
+  for (dem::Vec3& vertex : surface.vertices)
+    vertex = rotation * vertex;
   return surface;
 }
 
@@ -93,9 +102,10 @@ inline std::size_t add_tool(dem::World& world, std::string name, dem::TriangleSu
 /// Row of the grain with this id; rows change when grains are sorted.
 inline std::size_t row_of(dem::World const& world, std::uint32_t id) {
   for (std::size_t row = 0; row < world.grains.size(); ++row) {
-    if (world.grains.id[row] == id) return row;
+    if (world.grains.id[row] == id)
+      return row;
   }
   return world.grains.size();
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -22,11 +22,12 @@ std::vector<Benchmark> run_one(Experiment const& experiment) {
     return experiment.run();
   } catch (std::exception const& failure) {
     double const nan = std::nan("");
-    return {{experiment.name, nan, nan, nan, 0.0, false, std::string("did not run: ") + failure.what()}};
+    return {{experiment.name, nan, nan, nan, 0.0, false,
+             std::string("did not run: ") + failure.what()}};
   }
 }
 
-}  // namespace
+} // namespace
 
 std::vector<Experiment> all_experiments() {
   std::vector<Experiment> all;
@@ -37,21 +38,26 @@ std::vector<Experiment> all_experiments() {
   return all;
 }
 
-Benchmark compare(std::string name, double reference, double result, double tolerance, std::string source) {
+Benchmark compare(std::string name, double reference, double result, double tolerance,
+                  std::string source) {
   double const scale = reference == 0.0 ? 1.0 : std::abs(reference);
   double const error = std::abs(result - reference) / scale;
-  return {std::move(name), reference, result, error, tolerance, error <= tolerance, std::move(source)};
+  return {std::move(name), reference,          result,           error,
+          tolerance,       error <= tolerance, std::move(source)};
 }
 
 std::vector<Benchmark> run_benchmarks(std::string_view filter) {
   std::vector<Benchmark> rows;
   for (Experiment const& experiment : all_experiments()) {
-    // A filter may name a row inside an experiment: then the experiment runs and the others of its rows are dropped.
+    // A filter may name a row inside an experiment: then the experiment runs and the others of its
+    // rows are dropped.
     bool const whole = matches(experiment.name, filter);
     bool const theme = filter.starts_with(experiment.name.substr(0, experiment.name.find('/')));
-    if (!whole && !theme) continue;
+    if (!whole && !theme)
+      continue;
     for (Benchmark& row : run_one(experiment)) {
-      if (whole || matches(row.name, filter)) rows.push_back(std::move(row));
+      if (whole || matches(row.name, filter))
+        rows.push_back(std::move(row));
     }
   }
   return rows;
@@ -59,13 +65,16 @@ std::vector<Benchmark> run_benchmarks(std::string_view filter) {
 
 std::string to_text(std::vector<Benchmark> const& rows) {
   std::size_t width = 9;
-  for (Benchmark const& row : rows) width = std::max(width, row.name.size());
-  std::string text = fmt::format("{:<{}}  {:>14}  {:>14}  {:>9}  {:>9}\n", "benchmark", width, "reference",
-                                 "result", "error", "tolerance");
+  for (Benchmark const& row : rows)
+    width = std::max(width, row.name.size());
+  std::string text = fmt::format("{:<{}}  {:>14}  {:>14}  {:>9}  {:>9}\n", "benchmark", width,
+                                 "reference", "result", "error", "tolerance");
   for (Benchmark const& row : rows) {
-    text += fmt::format("{:<{}}  {:>14.7g}  {:>14.7g}  {:>9.2g}  {:>9.2g}  {}\n", row.name, width, row.reference,
-                        row.result, row.error, row.tolerance, row.ok ? "ok" : "FAILED");
-    if (std::isnan(row.result)) text += "  " + row.source + "\n";
+    text +=
+        fmt::format("{:<{}}  {:>14.7g}  {:>14.7g}  {:>9.2g}  {:>9.2g}  {}\n", row.name, width,
+                    row.reference, row.result, row.error, row.tolerance, row.ok ? "ok" : "FAILED");
+    if (std::isnan(row.result))
+      text += "  " + row.source + "\n";
   }
   auto const failed = std::ranges::count_if(rows, [](Benchmark const& row) { return !row.ok; });
   return text + fmt::format("{} benchmarks, {} failed\n", rows.size(), failed);
@@ -73,12 +82,14 @@ std::string to_text(std::vector<Benchmark> const& rows) {
 
 int run_verification(VerifyOptions const& options) {
   std::vector<Benchmark> const rows = run_benchmarks(options.filter);
-  VALIDATE(!rows.empty(), fmt::format("--filter {}: no benchmark has this in its name. Run `presscheck verify` "
-                                      "without it to see the names?", options.filter));
+  VALIDATE(!rows.empty(),
+           fmt::format("--filter {}: no benchmark has this in its name. Run `presscheck verify` "
+                       "without it to see the names?",
+                       options.filter));
   std::fputs(to_text(rows).c_str(), stdout);
   write_json(rows, options.folder / "verification.json");
   write_html(rows, options.folder / "verification.html");
   return std::ranges::all_of(rows, &Benchmark::ok) ? 0 : 1;
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -10,20 +10,21 @@ namespace coupling::verification {
 
 /// One comparison of the engine with an answer known otherwise.
 struct Benchmark {
-  std::string name;      ///< "hertz/duration"
-  double reference;      ///< the known answer
-  double result;         ///< what the engine gives
-  double error;          ///< |result - reference| / |reference|, or absolute where the reference is 0
-  double tolerance;      ///< of `error`
-  bool ok;               ///< error <= tolerance, false for NaN
-  std::string source;    ///< where the reference comes from
+  std::string name;   ///< "hertz/duration"
+  double reference;   ///< the known answer
+  double result;      ///< what the engine gives
+  double error;       ///< |result - reference| / |reference|, or absolute where the reference is 0
+  double tolerance;   ///< of `error`
+  bool ok;            ///< error <= tolerance, false for NaN
+  std::string source; ///< where the reference comes from
 };
 
 /// Fills in error and verdict.
-Benchmark compare(std::string name, double reference, double result, double tolerance, std::string source);
+Benchmark compare(std::string name, double reference, double result, double tolerance,
+                  std::string source);
 
-/// Every benchmark whose name contains `filter`; all of them if it is empty. A benchmark that throws becomes a
-/// failed row whose source says why.
+/// Every benchmark whose name contains `filter`; all of them if it is empty. A benchmark that
+/// throws becomes a failed row whose source says why.
 std::vector<Benchmark> run_benchmarks(std::string_view filter = {});
 
 /// `verification.json`: a list of objects name, reference, result, error, tolerance, ok, source.
@@ -38,7 +39,7 @@ std::string to_text(std::vector<Benchmark> const& rows);
 
 struct VerifyOptions {
   std::string filter;
-  std::filesystem::path folder = ".";  ///< receives verification.json and verification.html
+  std::filesystem::path folder = "."; ///< receives verification.json and verification.html
 };
 
 /// Runs, prints the table to standard output, writes both files.
@@ -46,4 +47,4 @@ struct VerifyOptions {
 /// @throws dem::InvalidInput if no benchmark matches the filter or a file cannot be written
 int run_verification(VerifyOptions const& options);
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -15,11 +15,20 @@ std::string escaped(std::string_view text) {
   std::string result;
   for (char const c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+    case '&':
+      result += "&amp;";
+      break;
+    case '<':
+      result += "&lt;";
+      break;
+    case '>':
+      result += "&gt;";
+      break;
+    case '"':
+      result += "&quot;";
+      break;
+    default:
+      result += c;
     }
   }
   return result;
@@ -30,12 +39,13 @@ nlohmann::ordered_json number(double value) {
   return std::isfinite(value) ? nlohmann::ordered_json(value) : nlohmann::ordered_json(nullptr);
 }
 
-constexpr std::string_view style = R"(body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:75rem;
+constexpr std::string_view style =
+    R"(body{font:15px/1.5 system-ui,sans-serif;margin:2rem auto;max-width:75rem;
 padding:0 1rem;color:#1b1f24}table{border-collapse:collapse;width:100%}th,td{padding:.3rem .6rem;text-align:left;
 border-bottom:1px solid #d8dee4}td.n,th.n{text-align:right;font-variant-numeric:tabular-nums}
 .ok{color:#116329}.failed{color:#a40e26;font-weight:600}td.s{color:#57606a;font-size:.85em})";
 
-}  // namespace
+} // namespace
 
 void write_json(std::vector<Benchmark> const& rows, std::filesystem::path const& file) {
   auto list = nlohmann::ordered_json::array();
@@ -54,20 +64,24 @@ void write_json(std::vector<Benchmark> const& rows, std::filesystem::path const&
 void write_html(std::vector<Benchmark> const& rows, std::filesystem::path const& file) {
   auto const failed = std::ranges::count_if(rows, [](Benchmark const& row) { return !row.ok; });
   std::string text = fmt::format(
-      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>presscheck verify</title>"
+      "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>presscheck "
+      "verify</title>"
       "<style>{}</style></head><body>\n<h1>Verification</h1>\n<p>{} benchmarks, "
-      "<span class=\"{}\">{} failed</span>.</p>\n<table><thead><tr><th>benchmark</th><th class=\"n\">reference</th>"
-      "<th class=\"n\">result</th><th class=\"n\">error</th><th class=\"n\">tolerance</th><th>verdict</th>"
+      "<span class=\"{}\">{} failed</span>.</p>\n<table><thead><tr><th>benchmark</th><th "
+      "class=\"n\">reference</th>"
+      "<th class=\"n\">result</th><th class=\"n\">error</th><th "
+      "class=\"n\">tolerance</th><th>verdict</th>"
       "<th>source</th></tr></thead><tbody>\n",
       style, rows.size(), failed == 0 ? "ok" : "failed", failed);
   for (Benchmark const& row : rows) {
-    text += fmt::format("<tr><td>{}</td><td class=\"n\">{:.7g}</td><td class=\"n\">{:.7g}</td>"
-                        "<td class=\"n\">{:.2g}</td><td class=\"n\">{:.2g}</td><td class=\"{}\">{}</td>"
-                        "<td class=\"s\">{}</td></tr>\n",
-                        escaped(row.name), row.reference, row.result, row.error, row.tolerance,
-                        row.ok ? "ok" : "failed", row.ok ? "ok" : "failed", escaped(row.source));
+    text +=
+        fmt::format("<tr><td>{}</td><td class=\"n\">{:.7g}</td><td class=\"n\">{:.7g}</td>"
+                    "<td class=\"n\">{:.2g}</td><td class=\"n\">{:.2g}</td><td class=\"{}\">{}</td>"
+                    "<td class=\"s\">{}</td></tr>\n",
+                    escaped(row.name), row.reference, row.result, row.error, row.tolerance,
+                    row.ok ? "ok" : "failed", row.ok ? "ok" : "failed", escaped(row.source));
   }
   write_file(file, text + "</tbody></table>\n</body></html>\n");
 }
 
-}  // namespace coupling::verification
+} // namespace coupling::verification

@@ -9,47 +9,44 @@
 namespace dem {
 
 /// Allocator for arrays that vector loads read: 64-byte lines.
-template <class T>
-struct LineAllocator {
+template <class T> struct LineAllocator {
   using value_type = T;
   LineAllocator() = default;
-  template <class U>
-  LineAllocator(LineAllocator<U> const&) {}
+  template <class U> LineAllocator(LineAllocator<U> const&) {}
   T* allocate(std::size_t n) {
-    return static_cast<T*>(::operator new(n * sizeof(T), std::align_val_t{64}));
+    return static_cast<T*>(::operator new (n * sizeof(T), std::align_val_t{64}));
   }
-  void deallocate(T* p, std::size_t) { ::operator delete(p, std::align_val_t{64}); }
+  void deallocate(T* p, std::size_t) { ::operator delete (p, std::align_val_t{64}); }
   friend bool operator==(LineAllocator const&, LineAllocator const&) { return true; }
 };
-template <class T>
-using LineVector = std::vector<T, LineAllocator<T>>;
+template <class T> using LineVector = std::vector<T, LineAllocator<T>>;
 
 /// Position and radius of a grain as the sweep reads it.
 struct alignas(32) PlaceRecord {
   double x, y, z, radius;
 };
 
-/// Velocity and spin of a grain in the number type of the sweep; `radius` rides along to fill the line.
-template <class T>
-struct alignas(8 * sizeof(T)) MotionRecord {
+/// Velocity and spin of a grain in the number type of the sweep; `radius` rides along to fill the
+/// line.
+template <class T> struct alignas(8 * sizeof(T)) MotionRecord {
   T vx, vy, vz, unused, wx, wy, wz, radius;
 };
 
 /// Force and torque of one sweep.
-template <class T>
-struct alignas(8 * sizeof(T)) LoadRecord {
+template <class T> struct alignas(8 * sizeof(T)) LoadRecord {
   T fx, fy, fz, unused_f, tx, ty, tz, unused_t;
 };
 
 /// A grain at a tool: where the contact is and what it carried in the last step.
 struct WallContact {
-  std::uint32_t owner;     ///< row of the grain
+  std::uint32_t owner; ///< row of the grain
   std::uint32_t tool;
   std::uint32_t patch;
-  bool inside_rim;         ///< the closest point stays inside the patch while this list holds: no search needed
-  double px, py, pz;       ///< contact point in space [m]
-  double fx, fy, fz;       ///< force on the grain [N]
-  double normal_force;     ///< [N]
+  bool inside_rim;   ///< the closest point stays inside the patch while this list holds: no search
+                     ///< needed
+  double px, py, pz; ///< contact point in space [m]
+  double fx, fy, fz; ///< force on the grain [N]
+  double normal_force; ///< [N]
 };
 
 /// Power and losses of one sweep over one block [W].
@@ -57,38 +54,40 @@ struct BlockPower {
   double normal_loss = 0.0, tangential = 0.0, rolling = 0.0;
 };
 
-/// A run of grains that follow each other along the space-filling curve, with the contacts that they own. A block
-/// writes only to its own load buffer: one record for each of its grains, then one for each foreign partner (the
-/// halo). The buffers are summed grain by grain in the order of the blocks, so the result does not depend on which
-/// thread did which block.
-/// Contacts are stored as arrays: first the pairs sorted by (owner, partner), then the walls sorted by (owner, tool,
-/// patch); each part is padded to full packs. `constants` and `memory` are streams of `stride` numbers each.
-template <class T>
-struct ContactBlock {
-  static constexpr int n_memory = 4;  ///< spring x y z, memory of the normal law
+/// A run of grains that follow each other along the space-filling curve, with the contacts that
+/// they own. A block writes only to its own load buffer: one record for each of its grains, then
+/// one for each foreign partner (the halo). The buffers are summed grain by grain in the order of
+/// the blocks, so the result does not depend on which thread did which block. Contacts are stored
+/// as arrays: first the pairs sorted by (owner, partner), then the walls sorted by (owner, tool,
+/// patch); each part is padded to full packs. `constants` and `memory` are streams of `stride`
+/// numbers each.
+template <class T> struct ContactBlock {
+  static constexpr int n_memory = 4; ///< spring x y z, memory of the normal law
 
   std::uint32_t first_row = 0, end_row = 0;
   std::uint32_t n_pairs = 0;
-  std::vector<std::uint16_t> owner;         ///< slot of the grain, pairs only
-  std::vector<std::uint16_t> partner;       ///< slot of the other grain, pairs only
+  std::vector<std::uint16_t> owner;   ///< slot of the grain, pairs only
+  std::vector<std::uint16_t> partner; ///< slot of the other grain, pairs only
   std::vector<WallContact> walls;
-  std::vector<std::uint32_t> rows;          ///< row of each slot: the block's own, then the foreign partners, sorted
+  std::vector<std::uint32_t>
+      rows; ///< row of each slot: the block's own, then the foreign partners, sorted
   std::size_t stride = 0;
-  std::size_t wall_offset = 0;              ///< where the walls start in the streams
+  std::size_t wall_offset = 0; ///< where the walls start in the streams
   LineVector<T> constants;
   LineVector<T> memory;
-  LineVector<LoadRecord<T>> loads;          ///< one a slot
+  LineVector<LoadRecord<T>> loads; ///< one a slot
   BlockPower power;
 
   std::uint32_t n_rows() const { return end_row - first_row; }
   T* memory_stream(int s) { return memory.data() + static_cast<std::size_t>(s) * stride; }
-  T const* memory_stream(int s) const { return memory.data() + static_cast<std::size_t>(s) * stride; }
+  T const* memory_stream(int s) const {
+    return memory.data() + static_cast<std::size_t>(s) * stride;
+  }
 };
 
 /// n rounded up to whole packs.
-template <class T>
-std::size_t padded(std::size_t n) {
+template <class T> std::size_t padded(std::size_t n) {
   return (n + pack_size<T> - 1) / pack_size<T> * pack_size<T>;
 }
 
-}  // namespace dem
+} // namespace dem

@@ -6,17 +6,19 @@ namespace dem {
 
 enum class Precision { full, mixed };
 
-/// The contact model of a run, by the names of its laws (see dem/contact/contact_model.hpp for the lists).
+/// The contact model of a run, by the names of its laws (see dem/contact/contact_model.hpp for the
+/// lists).
 struct ContactChoice {
-  std::string normal = "hertz";           ///< hertz | hooke | jkr
-  std::string cohesion = "sjkr2";         ///< none | sjkr | sjkr2 | linear_reduced | linear_hertz_circle
-  std::string tangential = "mindlin";     ///< frictionless | mindlin | hooke_spring
-  std::string rolling = "none";           ///< none | constant_torque
-  std::string friction_limit = "net";     ///< net: mu |F_H + F_C| (LIGGGHTS 3.3.1); elastic: mu |F_H| (3.8 default)
+  std::string normal = "hertz";   ///< hertz | hooke | jkr
+  std::string cohesion = "sjkr2"; ///< none | sjkr | sjkr2 | linear_reduced | linear_hertz_circle
+  std::string tangential = "mindlin"; ///< frictionless | mindlin | hooke_spring
+  std::string rolling = "none";       ///< none | constant_torque
+  std::string friction_limit =
+      "net"; ///< net: mu |F_H + F_C| (LIGGGHTS 3.3.1); elastic: mu |F_H| (3.8 default)
   bool tangential_damping = true;
-  bool clip_attractive_damping = false;   ///< LIGGGHTS' limitForce: F_H >= 0
-  double characteristic_velocity = 0.2;   ///< [m/s], hooke only
+  bool clip_attractive_damping = false; ///< LIGGGHTS' limitForce: F_H >= 0
+  double characteristic_velocity = 0.2; ///< [m/s], hooke only
   Precision precision = Precision::mixed;
 };
 
-}  // namespace dem
+} // namespace dem

@@ -6,34 +6,61 @@
 namespace dem {
 
 ContactEngine::ContactEngine() : ContactEngine(ContactChoice{}) {}
-ContactEngine::ContactEngine(ContactChoice const& choice) : choice_(choice), store_(make_store(choice)) {}
+ContactEngine::ContactEngine(ContactChoice const& choice)
+    : choice_(choice), store_(make_store(choice)) {}
 ContactEngine::ContactEngine(ContactEngine const& other)
     : choice_(other.choice_), store_(other.store_->clone()) {}
 ContactEngine::ContactEngine(ContactEngine&&) noexcept = default;
 ContactEngine& ContactEngine::operator=(ContactEngine const& other) {
-  if (this != &other) *this = ContactEngine(other);
+  if (this != &other)
+    *this = ContactEngine(other);
   return *this;
 }
 ContactEngine& ContactEngine::operator=(ContactEngine&&) noexcept = default;
 ContactEngine::~ContactEngine() = default;
 
-double ContactEngine::kick_and_drift(World& world, double dt) { return store_->kick_and_drift(world, dt); }
-void ContactEngine::refresh(World& world, double dt) { store_->refresh(world, dt); }
-void ContactEngine::sweep(World& world, double dt) { store_->sweep(world, dt); }
-void ContactEngine::gather_and_kick(World& world, double dt) { store_->gather_and_kick(world, dt); }
-void ContactEngine::evaluate(World& world) { store_->evaluate(world); }
-std::vector<Contact> ContactEngine::list(World const& world) const { return store_->list(world); }
-StoredEnergy ContactEngine::energy(World const& world) const { return store_->energy(world); }
-double ContactEngine::stable_step(World const& world) const { return store_->stable_step(world); }
-ListStatistics ContactEngine::statistics(World const& world) const { return store_->statistics(world); }
-ContactState ContactEngine::capture() const { return store_->capture(); }
-void ContactEngine::restore(World& world, ContactState const& state) { store_->restore(world, state); }
+double ContactEngine::kick_and_drift(World& world, double dt) {
+  return store_->kick_and_drift(world, dt);
+}
+void ContactEngine::refresh(World& world, double dt) {
+  store_->refresh(world, dt);
+}
+void ContactEngine::sweep(World& world, double dt) {
+  store_->sweep(world, dt);
+}
+void ContactEngine::gather_and_kick(World& world, double dt) {
+  store_->gather_and_kick(world, dt);
+}
+void ContactEngine::evaluate(World& world) {
+  store_->evaluate(world);
+}
+std::vector<Contact> ContactEngine::list(World const& world) const {
+  return store_->list(world);
+}
+StoredEnergy ContactEngine::energy(World const& world) const {
+  return store_->energy(world);
+}
+double ContactEngine::stable_step(World const& world) const {
+  return store_->stable_step(world);
+}
+ListStatistics ContactEngine::statistics(World const& world) const {
+  return store_->statistics(world);
+}
+ContactState ContactEngine::capture() const {
+  return store_->capture();
+}
+void ContactEngine::restore(World& world, ContactState const& state) {
+  store_->restore(world, state);
+}
 
 std::unique_ptr<ContactEngine::Store> make_store(ContactChoice const& choice) {
-  if (choice.precision == Precision::mixed) return std::make_unique<TypedStore<float>>(choice);
+  if (choice.precision == Precision::mixed)
+    return std::make_unique<TypedStore<float>>(choice);
   return std::make_unique<TypedStore<double>>(choice);
 }
 
-std::vector<Contact> list_contacts(World const& world) { return world.contacts.list(world); }
+std::vector<Contact> list_contacts(World const& world) {
+  return world.contacts.list(world);
+}
 
-}  // namespace dem
+} // namespace dem

@@ -21,14 +21,14 @@ struct StoredEnergy {
 struct ListStatistics {
   std::uint64_t outer_builds = 0;
   std::uint64_t inner_builds = 0;
-  std::uint64_t listed = 0;     ///< pairs and walls in the inner list now
-  std::uint64_t active = 0;     ///< of them touching
-  double seconds = 0.0;         ///< wall time spent in builds
-  std::size_t bytes = 0;        ///< memory of lists and records
+  std::uint64_t listed = 0; ///< pairs and walls in the inner list now
+  std::uint64_t active = 0; ///< of them touching
+  double seconds = 0.0;     ///< wall time spent in builds
+  std::size_t bytes = 0;    ///< memory of lists and records
 };
 
-/// Finds the contacts of a World and computes their forces: neighbour lists, contact history and the sweep, in the
-/// number type that the case asks for. Copyable; a copy goes on to the same bits.
+/// Finds the contacts of a World and computes their forces: neighbour lists, contact history and
+/// the sweep, in the number type that the case asks for. Copyable; a copy goes on to the same bits.
 class ContactEngine {
 public:
   ContactEngine();
@@ -42,16 +42,17 @@ public:
 
   ContactChoice const& choice() const { return choice_; }
 
-  /// The parts of a step, in their order. The first and the last run over the grains anyway, so they also carry what
-  /// the sweep needs from each grain and to it: one pass through memory instead of three.
+  /// The parts of a step, in their order. The first and the last run over the grains anyway, so
+  /// they also carry what the sweep needs from each grain and to it: one pass through memory
+  /// instead of three.
   /// @param dt  step [s]
 
   /// First half kick and drift of every grain. @returns power of gravity over the drift [W]
   double kick_and_drift(World& world, double dt);
   /// Brings the lists up to date with the present positions; grains may be put in a new order.
   void refresh(World& world, double dt);
-  /// Forces of the present positions with the half-step velocities into load buffers, tools and energy tally; springs
-  /// advance by dt.
+  /// Forces of the present positions with the half-step velocities into load buffers, tools and
+  /// energy tally; springs advance by dt.
   void sweep(World& world, double dt);
   /// Sums the loads of every grain and gives the second half kick.
   void gather_and_kick(World& world, double dt);
@@ -80,4 +81,4 @@ private:
   std::unique_ptr<Store> store_;
 };
 
-}  // namespace dem
+} // namespace dem

@@ -16,23 +16,26 @@ std::optional<ContactKernel<T>> find_kernel(ContactChoice const& choice, LawList
   return found;
 }
 
-}  // namespace
+} // namespace
 
-template <class T>
-ContactKernel<T> make_kernel(ContactChoice const& choice) {
+template <class T> ContactKernel<T> make_kernel(ContactChoice const& choice) {
   auto const found = find_kernel<T>(choice, NormalLaws{});
-  VALIDATE(found, "Contact laws " + choice.normal + " + " + choice.cohesion + " + " + choice.tangential + " + " +
-                      choice.rolling +
-                      " are unknown together (known: hertz with none, sjkr, sjkr2, linear_reduced or "
-                      "linear_hertz_circle and frictionless or mindlin; hooke with the same cohesion and frictionless "
-                      "or hooke_spring; jkr with none and frictionless or mindlin; rolling none or constant_torque). "
-                      "Is a name misspelt?");
+  VALIDATE(found,
+           "Contact laws " + choice.normal + " + " + choice.cohesion + " + " + choice.tangential +
+               " + " + choice.rolling +
+               " are unknown together (known: hertz with none, sjkr, sjkr2, linear_reduced or "
+               "linear_hertz_circle and frictionless or mindlin; hooke with the same cohesion and "
+               "frictionless "
+               "or hooke_spring; jkr with none and frictionless or mindlin; rolling none or "
+               "constant_torque). "
+               "Is a name misspelt?");
   VALIDATE(choice.friction_limit == "net" || choice.friction_limit == "elastic",
-           "Friction limit = " + choice.friction_limit + ": unknown (known: net, elastic). Is the name misspelt?");
+           "Friction limit = " + choice.friction_limit +
+               ": unknown (known: net, elastic). Is the name misspelt?");
   return *found;
 }
 
 template ContactKernel<float> make_kernel<float>(ContactChoice const&);
 template ContactKernel<double> make_kernel<double>(ContactChoice const&);
 
-}  // namespace dem
+} // namespace dem

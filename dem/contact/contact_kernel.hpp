@@ -10,18 +10,17 @@
 namespace dem {
 
 /// What a sweep reads besides the block.
-template <class T>
-struct SweepInput {
+template <class T> struct SweepInput {
   PlaceRecord const* places;
   MotionRecord<T> const* motions;
   std::span<Tool const> tools;
   ModelSwitches<T> switches;
-  double dt;               ///< [s]; 0: forces only, the springs stay as they are
+  double dt; ///< [s]; 0: forces only, the springs stay as they are
 };
 
-/// A contact model behind a table of functions, so that it is chosen once a sweep and inlined inside it.
-template <class T>
-struct ContactKernel {
+/// A contact model behind a table of functions, so that it is chosen once a sweep and inlined
+/// inside it.
+template <class T> struct ContactKernel {
   int n_constants;
   bool has_memory;
   /// Writes the n_constants numbers of one contact.
@@ -38,19 +37,19 @@ struct ContactKernel {
     double elastic, cohesive;
   };
   Energy (*energy)(double const* constants, double overlap, double radius_i, double radius_j);
-  /// Tangent stiffness [N/m] and dashpot [kg/s] along the normal and in the tangent plane, for the stable step.
+  /// Tangent stiffness [N/m] and dashpot [kg/s] along the normal and in the tangent plane, for the
+  /// stable step.
   struct Stiffness {
     double normal, tangential, normal_dashpot, tangential_dashpot;
   };
   Stiffness (*stiffness)(double const* constants, double overlap);
 };
 
-/// The kernel of the named laws. @throws InvalidInput for an unknown name or laws that do not go together, with a
-/// list of the known ones
-template <class T>
-ContactKernel<T> make_kernel(ContactChoice const& choice);
+/// The kernel of the named laws. @throws InvalidInput for an unknown name or laws that do not go
+/// together, with a list of the known ones
+template <class T> ContactKernel<T> make_kernel(ContactChoice const& choice);
 
 extern template ContactKernel<float> make_kernel<float>(ContactChoice const&);
 extern template ContactKernel<double> make_kernel<double>(ContactChoice const&);
 
-}  // namespace dem
+} // namespace dem

@@ -13,69 +13,87 @@ PairTable::PairTable(MaterialTable const& materials) : n_(materials.size()) {
       pairs_.push_back(materials.pair(static_cast<std::uint8_t>(i), static_cast<std::uint8_t>(j)));
 }
 
-double SkinRule::skin(double speed) const { return std::min(base + horizon * speed, cap); }
+double SkinRule::skin(double speed) const {
+  return std::min(base + horizon * speed, cap);
+}
 
 namespace {
 
-/// Half of one step towards the new list: renumbers a contact and turns it round if its owner changed.
+/// Half of one step towards the new list: renumbers a contact and turns it round if its owner
+/// changed.
 template <class T>
-CarriedContact<T> renumber(CarriedContact<T> c, std::span<std::uint32_t const> new_row, bool is_wall) {
-  if (new_row.empty()) return c;
+CarriedContact<T> renumber(CarriedContact<T> c, std::span<std::uint32_t const> new_row,
+                           bool is_wall) {
+  if (new_row.empty())
+    return c;
   c.owner = new_row[c.owner];
-  if (is_wall) return c;
+  if (is_wall)
+    return c;
   c.partner = new_row[c.partner];
   if (c.owner > c.partner) {
     std::swap(c.owner, c.partner);
-    for (int s = 0; s < 3; ++s) c.memory[s] = -c.memory[s];  // the spring is seen from the owner
+    for (int s = 0; s < 3; ++s)
+      c.memory[s] = -c.memory[s]; // the spring is seen from the owner
   }
   return c;
 }
 
-template <class T>
-bool remembers(ContactBlock<T> const& block, std::size_t k) {
+template <class T> bool remembers(ContactBlock<T> const& block, std::size_t k) {
   for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
-    if (block.memory_stream(s)[k] != T(0)) return true;
+    if (block.memory_stream(s)[k] != T(0))
+      return true;
   return false;
 }
 
-}  // namespace
+} // namespace
 
 template <class T>
 CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
                          std::size_t n_grains) {
   std::vector<CarriedContact<T>> found;
-  auto const take = [&](ContactBlock<T> const& block, std::size_t at, CarriedContact<T> c, bool is_wall) {
-    if (!remembers(block, at)) return;
-    for (int s = 0; s < ContactBlock<T>::n_memory; ++s) c.memory[s] = block.memory_stream(s)[at];
+  auto const take = [&](ContactBlock<T> const& block, std::size_t at, CarriedContact<T> c,
+                        bool is_wall) {
+    if (!remembers(block, at))
+      return;
+    for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
+      c.memory[s] = block.memory_stream(s)[at];
     found.push_back(renumber(c, new_row, is_wall));
   };
   for (ContactBlock<T> const& block : lists.blocks) {
     for (std::size_t k = 0; k < block.n_pairs; ++k)
       take(block, k,
-           {block.rows[block.owner[k]], block.rows[block.partner[k]], CarriedContacts<T>::between_grains, {}}, false);
+           {block.rows[block.owner[k]],
+            block.rows[block.partner[k]],
+            CarriedContacts<T>::between_grains,
+            {}},
+           false);
     for (std::size_t k = 0; k < block.walls.size(); ++k)
-      take(block, block.wall_offset + k, {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
+      take(block, block.wall_offset + k,
+           {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
   }
   CarriedContacts<T> carried;
   carried.start.assign(n_grains + 1, 0);
-  for (auto const& c : found) ++carried.start[c.owner + 1];
+  for (auto const& c : found)
+    ++carried.start[c.owner + 1];
   std::partial_sum(carried.start.begin(), carried.start.end(), carried.start.begin());
   carried.row.resize(found.size());
   std::vector<std::uint32_t> next(carried.start.begin(), carried.start.end() - 1);
-  for (auto const& c : found) carried.row[next[c.owner]++] = c;
+  for (auto const& c : found)
+    carried.row[next[c.owner]++] = c;
   return carried;
 }
 
-template <class T>
-void build_outer(World const& world, double reach, ContactLists<T>& lists) {
+template <class T> void build_outer(World const& world, double reach, ContactLists<T>& lists) {
   std::size_t const n = world.grains.size();
   std::vector<double> total(n);
-  for (std::size_t i = 0; i < n; ++i) total[i] = world.grains.radius[i] + lists.outer.skin[i] + 0.5 * reach;
+  for (std::size_t i = 0; i < n; ++i)
+    total[i] = world.grains.radius[i] + lists.outer.skin[i] + 0.5 * reach;
   lists.pairs = find_pairs(lists.outer.position, total);
 
   std::vector<std::vector<std::uint32_t>> near(n);
 #pragma omp parallel for schedule(dynamic, 256) if (n > 256)
-  for (std::size_t i = 0; i < n; ++i) near[i] = tools_near(world, lists.outer, i, reach);
+  for (std::size_t i = 0; i < n; ++i)
+    near[i] = tools_near(world, lists.outer, i, reach);
   lists.near_tool_start.assign(n + 1, 0);
   lists.near_tool.clear();
   for (std::size_t i = 0; i < n; ++i) {
@@ -88,7 +106,8 @@ template <class T>
 void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoice const& choice,
                  double reach, CarriedContacts<T> const& carried, ContactLists<T>& lists) {
   std::size_t const n = world.grains.size();
-  std::size_t const block_rows = n < 8192 ? 256 : 512;  // of n alone: the same bits on any number of threads
+  std::size_t const block_rows =
+      n < 8192 ? 256 : 512; // of n alone: the same bits on any number of threads
   PairTable const table(world.materials);
   lists.blocks.resize((n + block_rows - 1) / block_rows);
 #pragma omp parallel for schedule(dynamic, 1) if (lists.blocks.size() > 1)
@@ -99,7 +118,8 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
   }
   lists.halo_start.assign(n + 1, 0);
   for (auto const& block : lists.blocks)
-    for (std::size_t s = block.n_rows(); s < block.rows.size(); ++s) ++lists.halo_start[block.rows[s] + 1];
+    for (std::size_t s = block.n_rows(); s < block.rows.size(); ++s)
+      ++lists.halo_start[block.rows[s] + 1];
   std::partial_sum(lists.halo_start.begin(), lists.halo_start.end(), lists.halo_start.begin());
   lists.halo_entry.resize(lists.halo_start.back());
   std::vector<std::uint32_t> next(lists.halo_start.begin(), lists.halo_start.end() - 1);
@@ -110,12 +130,13 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
 
 #define PRESSCHECK_LISTS(T)                                                                        \
   template struct ContactLists<T>;                                                                 \
-  template CarriedContacts<T> carry(ContactLists<T> const&, std::span<std::uint32_t const>, std::size_t);     \
+  template CarriedContacts<T> carry(ContactLists<T> const&, std::span<std::uint32_t const>,        \
+                                    std::size_t);                                                  \
   template void build_outer(World const&, double, ContactLists<T>&);                               \
-  template void build_inner(World const&, ContactKernel<T> const&, ContactChoice const&, double,      \
+  template void build_inner(World const&, ContactKernel<T> const&, ContactChoice const&, double,   \
                             CarriedContacts<T> const&, ContactLists<T>&);
 PRESSCHECK_LISTS(float)
 PRESSCHECK_LISTS(double)
 #undef PRESSCHECK_LISTS
 
-}  // namespace dem
+} // namespace dem

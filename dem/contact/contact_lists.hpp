@@ -7,32 +7,32 @@
 
 #include <vector>
 
-/// The two-level neighbour list. The outer list (large skin) comes from the grid; the inner list (small skin) is
-/// filtered out of it block by block and is what the sweep runs over. Each grain has its own skin, larger the faster
-/// it moves, so one fast grain lengthens its own list instead of ending everybody's.
+/// The two-level neighbour list. The outer list (large skin) comes from the grid; the inner list
+/// (small skin) is filtered out of it block by block and is what the sweep runs over. Each grain
+/// has its own skin, larger the faster it moves, so one fast grain lengthens its own list instead
+/// of ending everybody's.
 namespace dem {
 
 /// Where everything was when a list was made, and how far it may move before the list ends.
 struct ListAge {
-  std::vector<Vec3> position;      ///< [m], n_grains
-  std::vector<double> skin;        ///< [m], n_grains
-  std::vector<Vec3> tool;          ///< [m], displacement of each tool
-  std::vector<double> tool_skin;   ///< [m]
+  std::vector<Vec3> position;    ///< [m], n_grains
+  std::vector<double> skin;      ///< [m], n_grains
+  std::vector<Vec3> tool;        ///< [m], displacement of each tool
+  std::vector<double> tool_skin; ///< [m]
 };
 
 /// A contact with a history on its way from the old list to the new one.
-template <class T>
-struct CarriedContact {
+template <class T> struct CarriedContact {
   std::uint32_t owner;
-  std::uint32_t partner;   ///< row of the other grain, or tool
-  std::uint32_t patch;     ///< of the tool; unused between grains
+  std::uint32_t partner; ///< row of the other grain, or tool
+  std::uint32_t patch;   ///< of the tool; unused between grains
   T memory[ContactBlock<T>::n_memory];
 };
 
 /// Carried contacts sorted by owner.
-template <class T>
-struct CarriedContacts {
-  static constexpr std::uint32_t between_grains = 0xffffffffu;  ///< `patch` of a contact between grains
+template <class T> struct CarriedContacts {
+  static constexpr std::uint32_t between_grains =
+      0xffffffffu; ///< `patch` of a contact between grains
   std::vector<std::uint32_t> start;
   std::vector<CarriedContact<T>> row;
 
@@ -43,9 +43,9 @@ struct CarriedContacts {
 
 /// How far ahead the lists look.
 struct SkinRule {
-  double base;      ///< [m]
-  double horizon;   ///< [s], skin += horizon * speed
-  double cap;       ///< [m]
+  double base;    ///< [m]
+  double horizon; ///< [s], skin += horizon * speed
+  double cap;     ///< [m]
   double skin(double speed) const;
 };
 
@@ -53,34 +53,38 @@ struct SkinRule {
 class PairTable {
 public:
   explicit PairTable(MaterialTable const& materials);
-  PairMaterial const& operator()(std::uint8_t i, std::uint8_t j) const { return pairs_[i * n_ + j]; }
+  PairMaterial const& operator()(std::uint8_t i, std::uint8_t j) const {
+    return pairs_[i * n_ + j];
+  }
 
 private:
   std::size_t n_;
   std::vector<PairMaterial> pairs_;
 };
 
-template <class T>
-struct ContactLists {
+template <class T> struct ContactLists {
   ListAge outer, inner;
-  PairList pairs;                                  ///< outer list
-  std::vector<std::uint32_t> near_tool_start;      ///< CSR: tools near each grain, outer list
+  PairList pairs;                             ///< outer list
+  std::vector<std::uint32_t> near_tool_start; ///< CSR: tools near each grain, outer list
   std::vector<std::uint32_t> near_tool;
   std::vector<ContactBlock<T>> blocks;
-  std::vector<std::uint32_t> halo_start;           ///< CSR by grain: foreign loads to be gathered, in block order
-  std::vector<std::uint64_t> halo_entry;           ///< block << 32 | record
+  std::vector<std::uint32_t>
+      halo_start; ///< CSR by grain: foreign loads to be gathered, in block order
+  std::vector<std::uint64_t> halo_entry; ///< block << 32 | record
   std::uint64_t outer_builds = 0, inner_builds = 0;
 };
 
-/// Contacts with a history, their rows renumbered: row r of the old order is new_row[r] (empty: unchanged).
+/// Contacts with a history, their rows renumbered: row r of the old order is new_row[r] (empty:
+/// unchanged).
 template <class T>
-CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row, std::size_t n_grains);
+CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+                         std::size_t n_grains);
 
 /// Outer list of the present positions. `lists.outer` says where and how far.
-template <class T>
-void build_outer(World const& world, double reach, ContactLists<T>& lists);
+template <class T> void build_outer(World const& world, double reach, ContactLists<T>& lists);
 
-/// Inner list out of the outer one. `lists.inner` says where and how far; histories come from `carried`.
+/// Inner list out of the outer one. `lists.inner` says where and how far; histories come from
+/// `carried`.
 template <class T>
 void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoice const& choice,
                  double reach, CarriedContacts<T> const& carried, ContactLists<T>& lists);
@@ -88,4 +92,4 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
 extern template struct ContactLists<float>;
 extern template struct ContactLists<double>;
 
-}  // namespace dem
+} // namespace dem

@@ -8,14 +8,18 @@
 #include <cmath>
 #include <tuple>
 
-/// What is asked of the contacts between steps: listing, energies, the stable step, capture and restore. All of it in
-/// full precision and one contact at a time.
+/// What is asked of the contacts between steps: listing, energies, the stable step, capture and
+/// restore. All of it in full precision and one contact at a time.
 namespace dem {
 
 namespace {
 
-Triple<double> triple(Vec3 const& v) { return {v.x(), v.y(), v.z()}; }
-Vec3 vec3(Triple<double> const& v) { return {v.x, v.y, v.z}; }
+Triple<double> triple(Vec3 const& v) {
+  return {v.x(), v.y(), v.z()};
+}
+Vec3 vec3(Triple<double> const& v) {
+  return {v.x, v.y, v.z};
+}
 
 ContactInput<double> pair_input(Spheres const& g, std::size_t i, std::size_t j) {
   Vec3 const separation = g.position[i] - g.position[j];
@@ -30,7 +34,8 @@ ContactInput<double> pair_input(Spheres const& g, std::size_t i, std::size_t j) 
           .spin_j = triple(g.spin[j])};
 }
 
-ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t i, SurfacePoint const& at) {
+ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t i,
+                                SurfacePoint const& at) {
   double const sum = 2.0 * g.radius[i], r = g.radius[i] + at.distance;
   return {.separation = triple(r * at.normal),
           .square_gap = (sum - r) * (sum + r),
@@ -42,14 +47,14 @@ ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t 
           .spin_j = {0.0, 0.0, 0.0}};
 }
 
-}  // namespace
+} // namespace
 
-/// Calls visit(Contact, input, constants, memory) for every listed contact of a block; only what is cheap is set in
-/// the Contact.
+/// Calls visit(Contact, input, constants, memory) for every listed contact of a block; only what is
+/// cheap is set in the Contact.
 template <class T>
 template <class Visit>
-void TypedStore<T>::for_each_contact(World const& world, PairTable const& table, ContactBlock<T> const& block,
-                                     Visit&& visit) const {
+void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
+                                     ContactBlock<T> const& block, Visit&& visit) const {
   Spheres const& g = world.grains;
   double constants[16] = {};
   auto const memory_at = [&block](std::size_t at) {
@@ -67,7 +72,8 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
   for (std::size_t k = 0; k < block.walls.size(); ++k) {
     WallContact const& wall = block.walls[k];
     Tool const& tool = world.tools[wall.tool];
-    if (!tool.present) continue;
+    if (!tool.present)
+      continue;
     found.clear();
     Vec3 const centre = g.position[wall.owner] - tool.displacement;
     if (wall.inside_rim) {
@@ -76,17 +82,21 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
       tool.surface.find(centre, 1.2 * g.radius[wall.owner], found);
       std::erase_if(found, [&](SurfacePoint const& at) { return at.patch != wall.patch; });
     }
-    if (found.empty()) continue;
+    if (found.empty())
+      continue;
     Contact c{};
     c.i = wall.owner, c.j = Contact::none, c.tool = wall.tool, c.patch = wall.patch;
     c.triangle = found.front().triangle;
     c.point = found.front().point + tool.displacement;
-    kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner), choice_, constants);
-    visit(c, wall_input(g, tool, wall.owner, found.front()), constants, memory_at(block.wall_offset + k));
+    kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner),
+                      choice_, constants);
+    visit(c, wall_input(g, tool, wall.owner, found.front()), constants,
+          memory_at(block.wall_offset + k));
   }
 }
 
-/// Runs over the blocks in parallel, each with a result of its own, and hands the results back in block order.
+/// Runs over the blocks in parallel, each with a result of its own, and hands the results back in
+/// block order.
 template <class T>
 template <class Result, class Visit>
 std::vector<Result> TypedStore<T>::per_block(World const& world, Visit&& visit) const {
@@ -94,21 +104,23 @@ std::vector<Result> TypedStore<T>::per_block(World const& world, Visit&& visit) 
   PairTable const table(world.materials);
 #pragma omp parallel for schedule(dynamic, 1) if (results.size() > 1)
   for (std::size_t b = 0; b < results.size(); ++b)
-    for_each_contact(world, table, lists_.blocks[b],
-                     [&](Contact const& c, ContactInput<double> const& in, double const* constants,
-                         ContactMemory<double> const& memory) { visit(results[b], c, in, constants, memory); });
+    for_each_contact(
+        world, table, lists_.blocks[b],
+        [&](Contact const& c, ContactInput<double> const& in, double const* constants,
+            ContactMemory<double> const& memory) { visit(results[b], c, in, constants, memory); });
   return results;
 }
 
-template <class T>
-std::vector<Contact> TypedStore<T>::list(World const& world) const {
-  ModelSwitches<double> const switches{.cohesion_in_limit = choice_.friction_limit == "net" ? 1.0 : 0.0,
+template <class T> std::vector<Contact> TypedStore<T>::list(World const& world) const {
+  ModelSwitches<double> const switches{.cohesion_in_limit =
+                                           choice_.friction_limit == "net" ? 1.0 : 0.0,
                                        .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
   auto const parts = per_block<std::vector<Contact>>(
-      world, [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in, double const* constants,
-                 ContactMemory<double> const& memory) {
+      world, [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in,
+                 double const* constants, ContactMemory<double> const& memory) {
         ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
-        if (out.overlap <= 0.0 && memory.normal < 0.5) return;
+        if (out.overlap <= 0.0 && memory.normal < 0.5)
+          return;
         c.normal = vec3(in.separation).normalized();
         c.overlap = out.overlap;
         c.normal_force = out.normal_force;
@@ -118,43 +130,46 @@ std::vector<Contact> TypedStore<T>::list(World const& world) const {
         if (c.tool == Contact::none)
           c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
         else if (c.triangle == Contact::none)
-          c.triangle =
-              world.tools[c.tool].surface.triangle_at(c.patch, c.point - world.tools[c.tool].displacement);
+          c.triangle = world.tools[c.tool].surface.triangle_at(
+              c.patch, c.point - world.tools[c.tool].displacement);
         part.push_back(c);
       });
   std::vector<Contact> contacts;
-  for (auto const& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
+  for (auto const& part : parts)
+    contacts.insert(contacts.end(), part.begin(), part.end());
   auto const& id = world.grains.id;
   std::ranges::sort(contacts, {}, [&](Contact const& c) {
-    return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1, c.j == Contact::none ? c.tool : id[c.j], c.patch);
+    return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1,
+                      c.j == Contact::none ? c.tool : id[c.j], c.patch);
   });
   return contacts;
 }
 
-template <class T>
-StoredEnergy TypedStore<T>::energy(World const& world) const {
+template <class T> StoredEnergy TypedStore<T>::energy(World const& world) const {
   auto const parts = per_block<StoredEnergy>(
-      world, [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in, double const* constants,
-                 ContactMemory<double> const& memory) {
+      world, [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in,
+                 double const* constants, ContactMemory<double> const& memory) {
         double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
-        if (overlap <= 0.0 && memory.normal < 0.5) return;
+        if (overlap <= 0.0 && memory.normal < 0.5)
+          return;
         auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
         part.elastic += e.elastic;
         part.cohesive += e.cohesive;
       });
   StoredEnergy total;
-  for (StoredEnergy const& part : parts) total.elastic += part.elastic, total.cohesive += part.cohesive;
+  for (StoredEnergy const& part : parts)
+    total.elastic += part.elastic, total.cohesive += part.cohesive;
   return total;
 }
 
-template <class T>
-double TypedStore<T>::stable_step(World const& world) const {
+template <class T> double TypedStore<T>::stable_step(World const& world) const {
   auto const parts = per_block<std::vector<LinearContact>>(
       world, [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
                  double const* constants, ContactMemory<double> const&) {
         Vec3 const separation = vec3(in.separation);
         double const overlap = in.square_gap / (in.radius_sum + separation.norm());
-        if (overlap <= 0.0) return;
+        if (overlap <= 0.0)
+          return;
         auto const s = kernel_.stiffness(constants, overlap);
         part.push_back({.i = c.i,
                         .j = c.j,
@@ -167,12 +182,12 @@ double TypedStore<T>::stable_step(World const& world) const {
                         .tangential_dashpot = s.tangential_dashpot});
       });
   std::vector<LinearContact> contacts;
-  for (auto const& part : parts) contacts.insert(contacts.end(), part.begin(), part.end());
+  for (auto const& part : parts)
+    contacts.insert(contacts.end(), part.begin(), part.end());
   return dem::stable_step(world.grains, contacts);
 }
 
-template <class T>
-ListStatistics TypedStore<T>::statistics(World const& world) const {
+template <class T> ListStatistics TypedStore<T>::statistics(World const& world) const {
   ListStatistics s{.outer_builds = lists_.outer_builds,
                    .inner_builds = lists_.inner_builds,
                    .seconds = build_seconds_};
@@ -182,14 +197,14 @@ ListStatistics TypedStore<T>::statistics(World const& world) const {
     s.listed += b.n_pairs + b.walls.size();
     s.bytes += bytes(b.owner, b.partner, b.walls, b.rows, b.constants, b.memory, b.loads);
   }
-  for (ListAge const* age : {&lists_.outer, &lists_.inner}) s.bytes += bytes(age->position, age->skin);
-  s.bytes += bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start, lists_.near_tool,
-                   lists_.halo_start, lists_.halo_entry, places_, motions_);
+  for (ListAge const* age : {&lists_.outer, &lists_.inner})
+    s.bytes += bytes(age->position, age->skin);
+  s.bytes += bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start,
+                   lists_.near_tool, lists_.halo_start, lists_.halo_entry, places_, motions_);
   return s;
 }
 
-template <class T>
-ContactState TypedStore<T>::capture() const {
+template <class T> ContactState TypedStore<T>::capture() const {
   ContactState state{.outer_position = lists_.outer.position,
                      .inner_position = lists_.inner.position,
                      .outer_skin = lists_.outer.skin,
@@ -208,19 +223,22 @@ ContactState TypedStore<T>::capture() const {
       state.spring.emplace_back(m(0), m(1), m(2));
       state.normal_memory.push_back(m(3));
     };
-    for (std::size_t k = 0; k < block.n_pairs; ++k) keep(k);
-    for (std::size_t k = 0; k < block.walls.size(); ++k) keep(block.wall_offset + k);
+    for (std::size_t k = 0; k < block.n_pairs; ++k)
+      keep(k);
+    for (std::size_t k = 0; k < block.walls.size(); ++k)
+      keep(block.wall_offset + k);
   }
   return state;
 }
 
-template <class T>
-void TypedStore<T>::restore(World& world, ContactState const& state) {
+template <class T> void TypedStore<T>::restore(World& world, ContactState const& state) {
   std::size_t const n = world.grains.size();
-  VALIDATE(state.outer_position.size() == n && state.inner_position.size() == n && state.outer_skin.size() == n &&
-               state.inner_skin.size() == n && state.inner_tool.size() == world.tools.size() &&
+  VALIDATE(state.outer_position.size() == n && state.inner_position.size() == n &&
+               state.outer_skin.size() == n && state.inner_skin.size() == n &&
+               state.inner_tool.size() == world.tools.size() &&
                state.outer_tool.size() == world.tools.size(),
-           "restart: the contact lists do not belong to these grains and tools. Is the file from another case?");
+           "restart: the contact lists do not belong to these grains and tools. Is the file from "
+           "another case?");
   lists_ = {};
   lists_.outer = {state.outer_position, state.outer_skin, state.outer_tool, state.outer_tool_skin};
   lists_.inner = {state.inner_position, state.inner_skin, state.inner_tool, state.inner_tool_skin};
@@ -238,11 +256,14 @@ void TypedStore<T>::restore(World& world, ContactState const& state) {
                  state.spring.size() == state.normal_memory.size(),
              "restart: fewer contact springs than contacts. Is the file from another version?");
     auto const put = [&](std::size_t at) {
-      for (int s = 0; s < 3; ++s) block.memory_stream(s)[at] = static_cast<T>(state.spring[next][s]);
+      for (int s = 0; s < 3; ++s)
+        block.memory_stream(s)[at] = static_cast<T>(state.spring[next][s]);
       block.memory_stream(3)[at] = static_cast<T>(state.normal_memory[next++]);
     };
-    for (std::size_t k = 0; k < block.n_pairs; ++k) put(k);
-    for (std::size_t k = 0; k < block.walls.size(); ++k) put(block.wall_offset + k);
+    for (std::size_t k = 0; k < block.n_pairs; ++k)
+      put(k);
+    for (std::size_t k = 0; k < block.walls.size(); ++k)
+      put(block.wall_offset + k);
   }
 }
 
@@ -259,4 +280,4 @@ template ContactState TypedStore<double>::capture() const;
 template void TypedStore<float>::restore(World&, ContactState const&);
 template void TypedStore<double>::restore(World&, ContactState const&);
 
-}  // namespace dem
+} // namespace dem

@@ -5,51 +5,46 @@
 #include "dem/contact/tangential/spring_slider.hpp"
 #include "dem/material.hpp"
 
-
-/// A contact model: a normal, a cohesion, a tangential and a rolling law composed by the compiler, evaluated in one
-/// place and in one order: elastic and dashpot, then cohesion, then the friction limit from their sum, then rolling.
+/// A contact model: a normal, a cohesion, a tangential and a rolling law composed by the compiler,
+/// evaluated in one place and in one order: elastic and dashpot, then cohesion, then the friction
+/// limit from their sum, then rolling.
 namespace dem {
 
 /// One contact as the sweep gathered it; N is a number type of pack.hpp.
-template <class N>
-struct ContactInput {
-  Triple<N> separation;    ///< x_i - x_j [m]
-  N square_gap;            ///< (R_i + R_j)^2 - r^2, formed in double [m^2]: keeps small overlaps in float
-  N radius_sum;            ///< [m]
-  N radius_i, radius_j;    ///< [m]
-  Triple<N> velocity;      ///< v_i - v_j [m/s]
-  Triple<N> spin_i, spin_j;  ///< [rad/s]
+template <class N> struct ContactInput {
+  Triple<N> separation; ///< x_i - x_j [m]
+  N square_gap; ///< (R_i + R_j)^2 - r^2, formed in double [m^2]: keeps small overlaps in float
+  N radius_sum; ///< [m]
+  N radius_i, radius_j;     ///< [m]
+  Triple<N> velocity;       ///< v_i - v_j [m/s]
+  Triple<N> spin_i, spin_j; ///< [rad/s]
 };
 
-template <class N>
-struct ContactOutput {
-  Triple<N> force;      ///< on i [N]; on j the opposite
-  Triple<N> torque_i;   ///< [N m]
-  Triple<N> torque_j;   ///< [N m]
-  N normal_force;       ///< along the normal, all parts [N]
-  N cohesive_force;     ///< [N]
-  N overlap;            ///< [m]
-  N normal_loss;        ///< power lost in the normal dashpot [W]
-  N tangential_power;   ///< power put into spring, dashpot and slider [W]
-  N rolling_loss;       ///< [W]
+template <class N> struct ContactOutput {
+  Triple<N> force;    ///< on i [N]; on j the opposite
+  Triple<N> torque_i; ///< [N m]
+  Triple<N> torque_j; ///< [N m]
+  N normal_force;     ///< along the normal, all parts [N]
+  N cohesive_force;   ///< [N]
+  N overlap;          ///< [m]
+  N normal_loss;      ///< power lost in the normal dashpot [W]
+  N tangential_power; ///< power put into spring, dashpot and slider [W]
+  N rolling_loss;     ///< [W]
 };
 
 /// What a contact remembers from step to step.
-template <class N>
-struct ContactMemory {
-  Triple<N> spring;  ///< tangential spring xi [m]
-  N normal;          ///< the normal law's own memory
+template <class N> struct ContactMemory {
+  Triple<N> spring; ///< tangential spring xi [m]
+  N normal;         ///< the normal law's own memory
 };
 
 /// Options of the model that are not laws, as numbers.
-template <class N>
-struct ModelSwitches {
-  N cohesion_in_limit;  ///< 1: friction limit from elastic + dashpot + cohesion; 0: without cohesion
-  N clip;               ///< 1: elastic + dashpot never attracts
+template <class N> struct ModelSwitches {
+  N cohesion_in_limit; ///< 1: friction limit from elastic + dashpot + cohesion; 0: without cohesion
+  N clip;              ///< 1: elastic + dashpot never attracts
 };
 
-template <class Normal, class Cohesion, class Tangential, class Rolling>
-struct ContactModel {
+template <class Normal, class Cohesion, class Tangential, class Rolling> struct ContactModel {
   using NormalLaw = Normal;
   using CohesionLaw = Cohesion;
   using TangentialLaw = Tangential;
@@ -59,8 +54,7 @@ struct ContactModel {
   static constexpr int n_constants =
       Normal::n_constants + Cohesion::n_constants + Tangential::n_constants + Rolling::n_constants;
 
-  template <class N>
-  struct Constants {
+  template <class N> struct Constants {
     typename Normal::template Constants<N> normal;
     typename Cohesion::template Constants<N> cohesion;
     typename Tangential::template Constants<N> tangential;
@@ -76,7 +70,8 @@ struct ContactModel {
   /// @param dt  step [s]; 0 leaves the springs as they are
   template <class N>
   static ContactOutput<N> evaluate(ContactInput<N> const& in, Constants<N> const& constants,
-                                   ModelSwitches<N> const& switches, N const& dt, ContactMemory<N>& memory) {
+                                   ModelSwitches<N> const& switches, N const& dt,
+                                   ContactMemory<N>& memory) {
     N const r = square_root(dot(in.separation, in.separation));
     Triple<N> const n = (N(1) / r) * in.separation;
     N const overlap = in.square_gap / (in.radius_sum + r);
@@ -92,7 +87,8 @@ struct ContactModel {
 
     NormalForce<N> const normal = Normal::force(constants.normal, geometry, memory.normal);
     auto acts = overlap > N(0);
-    if constexpr (has_memory) acts = acts || memory.normal > N(0.5f);
+    if constexpr (has_memory)
+      acts = acts || memory.normal > N(0.5f);
     N repulsion = normal.elastic + normal.damping;
     repulsion = select(switches.clip > N(0.5f), larger(repulsion, N(0)), repulsion);
     N const cohesion = select(overlap > N(0), Cohesion::force(constants.cohesion, geometry), N(0));
@@ -113,7 +109,8 @@ struct ContactModel {
       Triple<N> spring = memory.spring;
       TangentialForce<N> tangential =
           spring_slider(Tangential::stiffness(constants.tangential, normal.contact_root),
-                        Tangential::dashpot(constants.tangential, normal.contact_root), limit, n, slip, dt, spring);
+                        Tangential::dashpot(constants.tangential, normal.contact_root), limit, n,
+                        slip, dt, spring);
       Triple<N> const zero{N(0), N(0), N(0)};
       memory.spring = select(acts, spring, zero);
       Triple<N> const force = select(acts, tangential.force, zero);
@@ -126,8 +123,8 @@ struct ContactModel {
     }
     if constexpr (Rolling::resists) {
       Triple<N> const relative = in.spin_i - in.spin_j;
-      Triple<N> const torque =
-          select(acts, N(1), N(0)) * Rolling::torque(constants.rolling, normal.elastic, n, relative);
+      Triple<N> const torque = select(acts, N(1), N(0)) *
+                               Rolling::torque(constants.rolling, normal.elastic, n, relative);
       out.torque_i = out.torque_i + torque;
       out.torque_j = out.torque_j - torque;
       out.rolling_loss = -dot(torque, relative);
@@ -136,4 +133,4 @@ struct ContactModel {
   }
 };
 
-}  // namespace dem
+} // namespace dem

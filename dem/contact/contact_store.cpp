@@ -13,12 +13,14 @@ namespace dem {
 
 namespace {
 
-// Skins, measured on the seed's bed: small enough that few listed pairs are idle, large enough that building stays
-// under a tenth of the time.
-constexpr double inner_base = 0.015, outer_base = 0.12;          // of the smallest diameter
-constexpr double inner_steps = 100.0, outer_steps = 800.0;       // how many steps ahead a moving grain is followed
-constexpr double cap_diameters = 2.0;                            // of the smallest diameter
-constexpr double least_share = 0.5;  // an inner skin below this share of its base is not worth building
+// Skins, measured on the seed's bed: small enough that few listed pairs are idle, large enough that
+// building stays under a tenth of the time.
+constexpr double inner_base = 0.015, outer_base = 0.12; // of the smallest diameter
+constexpr double inner_steps = 100.0,
+                 outer_steps = 800.0; // how many steps ahead a moving grain is followed
+constexpr double cap_diameters = 2.0; // of the smallest diameter
+constexpr double least_share =
+    0.5; // an inner skin below this share of its base is not worth building
 
 // Grains a chunk of the first pass: fixed, so that its sums do not depend on the number of threads.
 constexpr std::size_t chunk_rows = 1024;
@@ -36,7 +38,8 @@ SkinRules skin_rules(World const& world, double dt) {
 ListAge age_now(World const& world, SkinRule const& rule) {
   ListAge age{.position = world.grains.position, .skin = {}, .tool = {}, .tool_skin = {}};
   age.skin.reserve(world.grains.size());
-  for (Vec3 const& v : world.grains.velocity) age.skin.push_back(rule.skin(v.norm()));
+  for (Vec3 const& v : world.grains.velocity)
+    age.skin.push_back(rule.skin(v.norm()));
   for (Tool const& tool : world.tools) {
     age.tool.push_back(tool.displacement);
     age.tool_skin.push_back(rule.skin(tool.velocity.norm()));
@@ -44,10 +47,10 @@ ListAge age_now(World const& world, SkinRule const& rule) {
   return age;
 }
 
-template <class V>
-void permute(std::vector<V>& values, std::vector<std::uint32_t> const& order) {
+template <class V> void permute(std::vector<V>& values, std::vector<std::uint32_t> const& order) {
   std::vector<V> sorted(values.size());
-  for (std::size_t k = 0; k < order.size(); ++k) sorted[k] = values[order[k]];
+  for (std::size_t k = 0; k < order.size(); ++k)
+    sorted[k] = values[order[k]];
   values = std::move(sorted);
 }
 
@@ -67,19 +70,23 @@ template <class T>
 void write_record(Spheres const& g, std::size_t i, PlaceRecord& place, MotionRecord<T>& motion) {
   Vec3 const &x = g.position[i], &v = g.velocity[i], &w = g.spin[i];
   place = {x.x(), x.y(), x.z(), g.radius[i]};
-  motion = {static_cast<T>(v.x()), static_cast<T>(v.y()), static_cast<T>(v.z()), T(0),
-            static_cast<T>(w.x()), static_cast<T>(w.y()), static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
+  motion = {static_cast<T>(v.x()), static_cast<T>(v.y()),
+            static_cast<T>(v.z()), T(0),
+            static_cast<T>(w.x()), static_cast<T>(w.y()),
+            static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
 }
 
-}  // namespace
+} // namespace
 
-template <class T>
-double TypedStore<T>::reach(World const& world) const {
-  // Grows with the effective radius, so the largest grain at a tool or beside its like bounds every contact.
-  if (!kernel_.has_memory) return 0.0;
+template <class T> double TypedStore<T>::reach(World const& world) const {
+  // Grows with the effective radius, so the largest grain at a tool or beside its like bounds every
+  // contact.
+  if (!kernel_.has_memory)
+    return 0.0;
   PairTable const table(world.materials);
   Spheres const& grains = world.grains;
-  auto const largest = static_cast<std::size_t>(std::ranges::max_element(grains.radius) - grains.radius.begin());
+  auto const largest =
+      static_cast<std::size_t>(std::ranges::max_element(grains.radius) - grains.radius.begin());
   double bound = 0.0;
   for (std::size_t a = 0; a < world.materials.size(); ++a)
     for (std::size_t b = 0; b < world.materials.size(); ++b) {
@@ -91,59 +98,63 @@ double TypedStore<T>::reach(World const& world) const {
   return bound;
 }
 
-template <class T>
-bool TypedStore<T>::tools_hold(World const& world) const {
+template <class T> bool TypedStore<T>::tools_hold(World const& world) const {
   ListAge const& age = lists_.inner;
-  if (age.position.size() != world.grains.size() || age.tool.size() != world.tools.size()) return false;
+  if (age.position.size() != world.grains.size() || age.tool.size() != world.tools.size())
+    return false;
   for (std::size_t t = 0; t < world.tools.size(); ++t)
-    if ((world.tools[t].displacement - age.tool[t]).norm() > age.tool_skin[t]) return false;
+    if ((world.tools[t].displacement - age.tool[t]).norm() > age.tool_skin[t])
+      return false;
   return true;
 }
 
-template <class T>
-bool TypedStore<T>::chunk_holds(Spheres const& grains, std::size_t chunk) const {
+template <class T> bool TypedStore<T>::chunk_holds(Spheres const& grains, std::size_t chunk) const {
   ListAge const& age = lists_.inner;
   bool hold = true;
-  for (std::size_t i = chunk * chunk_rows; i < std::min(grains.size(), (chunk + 1) * chunk_rows); ++i)
+  for (std::size_t i = chunk * chunk_rows; i < std::min(grains.size(), (chunk + 1) * chunk_rows);
+       ++i)
     hold &= (grains.position[i] - age.position[i]).squaredNorm() <= age.skin[i] * age.skin[i];
   return hold;
 }
 
-template <class T>
-bool TypedStore<T>::grains_hold(World const& world) const {
-  if (lists_.inner.position.size() != world.grains.size()) return false;
+template <class T> bool TypedStore<T>::grains_hold(World const& world) const {
+  if (lists_.inner.position.size() != world.grains.size())
+    return false;
   for (std::size_t c = 0; c * chunk_rows < world.grains.size(); ++c)
-    if (!chunk_holds(world.grains, c)) return false;
+    if (!chunk_holds(world.grains, c))
+      return false;
   return true;
 }
 
 /// Nobody has moved since the build that was just made.
-template <class T>
-void TypedStore<T>::start_travel() {
+template <class T> void TypedStore<T>::start_travel() {
   auto const& skin = lists_.inner.skin;
   travel_.assign((skin.size() + chunk_rows - 1) / chunk_rows, 0.0);
   least_skin_.resize(travel_.size());
   for (std::size_t c = 0; c < travel_.size(); ++c)
-    least_skin_[c] = *std::min_element(skin.begin() + static_cast<std::ptrdiff_t>(c * chunk_rows),
-                                       skin.begin() + static_cast<std::ptrdiff_t>(std::min(skin.size(), (c + 1) * chunk_rows)));
+    least_skin_[c] = *std::min_element(
+        skin.begin() + static_cast<std::ptrdiff_t>(c * chunk_rows),
+        skin.begin() + static_cast<std::ptrdiff_t>(std::min(skin.size(), (c + 1) * chunk_rows)));
 }
 
-/// A new inner list fits into the outer one if what each grain has moved already and its new skin stay within the
-/// outer skin.
-template <class T>
-bool TypedStore<T>::try_inner_build(World const& world, double dt) {
+/// A new inner list fits into the outer one if what each grain has moved already and its new skin
+/// stay within the outer skin.
+template <class T> bool TypedStore<T>::try_inner_build(World const& world, double dt) {
   ListAge const& outer = lists_.outer;
-  if (outer.position.size() != world.grains.size() || outer.tool.size() != world.tools.size()) return false;
+  if (outer.position.size() != world.grains.size() || outer.tool.size() != world.tools.size())
+    return false;
   SkinRules const rules = skin_rules(world, dt);
   ListAge age = age_now(world, rules.inner);
   for (std::size_t i = 0; i < world.grains.size(); ++i) {
     double const left = outer.skin[i] - (world.grains.position[i] - outer.position[i]).norm();
-    if (left < least_share * age.skin[i]) return false;
+    if (left < least_share * age.skin[i])
+      return false;
     age.skin[i] = std::min(age.skin[i], left);
   }
   for (std::size_t t = 0; t < world.tools.size(); ++t) {
     double const left = outer.tool_skin[t] - (world.tools[t].displacement - outer.tool[t]).norm();
-    if (left < least_share * age.tool_skin[t]) return false;
+    if (left < least_share * age.tool_skin[t])
+      return false;
     age.tool_skin[t] = std::min(age.tool_skin[t], left);
   }
   auto const carried = carry(lists_, {}, world.grains.size());
@@ -153,11 +164,11 @@ bool TypedStore<T>::try_inner_build(World const& world, double dt) {
   return true;
 }
 
-template <class T>
-void TypedStore<T>::full_build(World& world, double dt) {
+template <class T> void TypedStore<T>::full_build(World& world, double dt) {
   auto const order = order_along_curve(world.grains.position);
   std::vector<std::uint32_t> new_row(order.size());
-  for (std::uint32_t k = 0; k < order.size(); ++k) new_row[order[k]] = k;
+  for (std::uint32_t k = 0; k < order.size(); ++k)
+    new_row[order[k]] = k;
   auto const carried = carry(lists_, new_row, world.grains.size());
   permute_grains(world.grains, order);
   SkinRules const rules = skin_rules(world, dt);
@@ -170,15 +181,16 @@ void TypedStore<T>::full_build(World& world, double dt) {
   ++lists_.inner_builds;
 }
 
-template <class T>
-double TypedStore<T>::kick_and_drift(World& world, double dt) {
+template <class T> double TypedStore<T>::kick_and_drift(World& world, double dt) {
   Spheres& g = world.grains;
   places_.resize(g.size());
   motions_.resize(g.size());
   std::size_t const n_chunks = (g.size() + chunk_rows - 1) / chunk_rows;
   bool const has_list = lists_.inner.position.size() == g.size();
-  // After a restart nothing is known of the way so far: every chunk is measured until the next build.
-  if (travel_.size() != n_chunks) travel_.assign(n_chunks, std::numeric_limits<double>::infinity());
+  // After a restart nothing is known of the way so far: every chunk is measured until the next
+  // build.
+  if (travel_.size() != n_chunks)
+    travel_.assign(n_chunks, std::numeric_limits<double>::infinity());
   least_skin_.resize(n_chunks, 0.0);
   std::vector<double> power(n_chunks, 0.0);
   bool hold = has_list;
@@ -195,47 +207,50 @@ double TypedStore<T>::kick_and_drift(World& world, double dt) {
     power[c] = chunk_power;
     // The bound on the way spares most steps from looking where each grain was at the last build.
     travel_[c] += (1.0 + 1e-9) * dt * std::sqrt(square_speed);
-    if (has_list && travel_[c] > least_skin_[c]) hold = hold && chunk_holds(g, c);
+    if (has_list && travel_[c] > least_skin_[c])
+      hold = hold && chunk_holds(g, c);
   }
   grains_hold_ = hold;
   double total = 0.0;
-  for (double p : power) total += p;
+  for (double p : power)
+    total += p;
   return total;
 }
 
-template <class T>
-void TypedStore<T>::refresh(World& world, double dt) {
-  if (grains_hold_ && tools_hold(world)) return;
+template <class T> void TypedStore<T>::refresh(World& world, double dt) {
+  if (grains_hold_ && tools_hold(world))
+    return;
   auto const begin = std::chrono::steady_clock::now();
   if (!try_inner_build(world, dt)) {
     full_build(world, dt);
-    write_records(world);  // the grains stand in a new order
+    write_records(world); // the grains stand in a new order
   }
   grains_hold_ = true;
   start_travel();
   build_seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-template <class T>
-void TypedStore<T>::evaluate(World& world) {
+template <class T> void TypedStore<T>::evaluate(World& world) {
   grains_hold_ = grains_hold(world);
   // Nothing is known of the step to come: look ahead as far as one of the seed's would.
-  if (world.grains.size() > 0) refresh(world, 1e-7);
+  if (world.grains.size() > 0)
+    refresh(world, 1e-7);
   write_records(world);
   sweep(world, 0.0);
   gather_and_kick(world, 0.0);
 }
 
-template <class T>
-void TypedStore<T>::write_records(World const& world) {
+template <class T> void TypedStore<T>::write_records(World const& world) {
   places_.resize(world.grains.size());
   motions_.resize(world.grains.size());
-  for (std::size_t i = 0; i < world.grains.size(); ++i) write_record(world.grains, i, places_[i], motions_[i]);
+  for (std::size_t i = 0; i < world.grains.size(); ++i)
+    write_record(world.grains, i, places_[i], motions_[i]);
 }
 
 /// Own load first, then the foreign ones in the order of their blocks.
 template <class T>
-void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block, std::uint32_t i) const {
+void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block,
+                                 std::uint32_t i) const {
   LoadRecord<T> const& own = block.loads[i - block.first_row];
   Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
   for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
@@ -248,8 +263,7 @@ void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block, std
   world.grains.torque[i] = torque;
 }
 
-template <class T>
-void TypedStore<T>::gather_and_kick(World& world, double dt) {
+template <class T> void TypedStore<T>::gather_and_kick(World& world, double dt) {
 #pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     for (std::uint32_t i = lists_.blocks[b].first_row; i < lists_.blocks[b].end_row; ++i) {
@@ -258,9 +272,9 @@ void TypedStore<T>::gather_and_kick(World& world, double dt) {
     }
 }
 
-/// Force of the grains on each tool, and the tool's work: half the force of the last step, half of this one.
-template <class T>
-void TypedStore<T>::tally_tools(World& world, double dt) const {
+/// Force of the grains on each tool, and the tool's work: half the force of the last step, half of
+/// this one.
+template <class T> void TypedStore<T>::tally_tools(World& world, double dt) const {
   std::vector<Vec3> force(world.tools.size(), Vec3::Zero());
   std::vector<double> radial(world.tools.size(), 0.0);
   for (ContactBlock<T> const& block : lists_.blocks)
@@ -268,7 +282,8 @@ void TypedStore<T>::tally_tools(World& world, double dt) const {
       Vec3 const f(wall.fx, wall.fy, wall.fz);
       force[wall.tool] -= f;
       double const r = std::hypot(wall.px, wall.py);
-      if (r > 0.0) radial[wall.tool] -= (f.x() * wall.px + f.y() * wall.py) / r;
+      if (r > 0.0)
+        radial[wall.tool] -= (f.x() * wall.px + f.y() * wall.py) / r;
     }
   for (std::size_t t = 0; t < world.tools.size(); ++t) {
     Tool& tool = world.tools[t];
@@ -278,16 +293,17 @@ void TypedStore<T>::tally_tools(World& world, double dt) const {
   }
 }
 
-template <class T>
-void TypedStore<T>::sweep(World& world, double dt) {
-  SweepInput<T> const input{.places = places_.data(),
-                            .motions = motions_.data(),
-                            .tools = world.tools,
-                            .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
-                                         .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
-                            .dt = dt};
+template <class T> void TypedStore<T>::sweep(World& world, double dt) {
+  SweepInput<T> const input{
+      .places = places_.data(),
+      .motions = motions_.data(),
+      .tools = world.tools,
+      .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
+                   .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
+      .dt = dt};
 #pragma omp parallel for schedule(dynamic, 1) if (lists_.blocks.size() > 1)
-  for (std::size_t b = 0; b < lists_.blocks.size(); ++b) kernel_.sweep(lists_.blocks[b], input);
+  for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
+    kernel_.sweep(lists_.blocks[b], input);
   tally_tools(world, dt);
   for (ContactBlock<T> const& block : lists_.blocks) {
     world.energy.normal_damping += dt * block.power.normal_loss;
@@ -299,4 +315,4 @@ void TypedStore<T>::sweep(World& world, double dt) {
 template class TypedStore<float>;
 template class TypedStore<double>;
 
-}  // namespace dem
+} // namespace dem

@@ -26,10 +26,10 @@ public:
 /// @throws InvalidInput for unknown laws
 std::unique_ptr<ContactEngine::Store> make_store(ContactChoice const& choice);
 
-template <class T>
-class TypedStore final : public ContactEngine::Store {
+template <class T> class TypedStore final : public ContactEngine::Store {
 public:
-  explicit TypedStore(ContactChoice const& choice) : choice_(choice), kernel_(make_kernel<T>(choice)) {}
+  explicit TypedStore(ContactChoice const& choice)
+      : choice_(choice), kernel_(make_kernel<T>(choice)) {}
 
   std::unique_ptr<Store> clone() const override { return std::make_unique<TypedStore>(*this); }
   double kick_and_drift(World& world, double dt) override;
@@ -66,10 +66,11 @@ private:
   ContactLists<T> lists_;
   std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
-  bool grains_hold_ = false;        ///< no grain has left its inner skin since the last drift
-  std::vector<double> travel_;      ///< [m], bound on how far any grain of a chunk has moved since the last build
-  std::vector<double> least_skin_;  ///< [m], of each chunk
+  bool grains_hold_ = false; ///< no grain has left its inner skin since the last drift
+  std::vector<double>
+      travel_; ///< [m], bound on how far any grain of a chunk has moved since the last build
+  std::vector<double> least_skin_; ///< [m], of each chunk
   double build_seconds_ = 0.0;
 };
 
-}  // namespace dem
+} // namespace dem

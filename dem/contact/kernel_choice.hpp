@@ -5,12 +5,11 @@
 
 #include <optional>
 
-/// Finds the kernel of the named laws by walking the law lists. One source file a normal law and number type
-/// instantiates it, so that they compile side by side.
+/// Finds the kernel of the named laws by walking the law lists. One source file a normal law and
+/// number type instantiates it, so that they compile side by side.
 namespace dem::sweep_detail {
 
-template <class Law>
-bool answers_to(std::string const& name) {
+template <class Law> bool answers_to(std::string const& name) {
   if constexpr (requires { Law::knows(name); })
     return Law::knows(name);
   else
@@ -28,7 +27,8 @@ std::optional<ContactKernel<T>> with_rolling(ContactChoice const& choice, LawLis
 }
 
 template <class T, class Normal, class Cohesion, class... Tangential>
-std::optional<ContactKernel<T>> with_tangential(ContactChoice const& choice, LawList<Tangential...>) {
+std::optional<ContactKernel<T>> with_tangential(ContactChoice const& choice,
+                                                LawList<Tangential...>) {
   std::optional<ContactKernel<T>> found;
   ((answers_to<Tangential>(choice.tangential)
         ? void(found = with_rolling<T, Normal, Cohesion, Tangential>(choice, RollingLaws{}))
@@ -41,7 +41,8 @@ template <class T, class Normal, class... Cohesion>
 std::optional<ContactKernel<T>> with_cohesion(ContactChoice const& choice, LawList<Cohesion...>) {
   std::optional<ContactKernel<T>> found;
   ((answers_to<Cohesion>(choice.cohesion)
-        ? void(found = with_tangential<T, Normal, Cohesion>(choice, typename Partners<Normal>::Tangential{}))
+        ? void(found = with_tangential<T, Normal, Cohesion>(
+                   choice, typename Partners<Normal>::Tangential{}))
         : void()),
    ...);
   return found;
@@ -54,11 +55,13 @@ std::optional<ContactKernel<T>> kernel_with(ContactChoice const& choice) {
 }
 
 #define PRESSCHECK_DECLARE_KERNEL(Normal)                                                          \
-  extern template std::optional<ContactKernel<float>> kernel_with<float, Normal>(ContactChoice const&); \
-  extern template std::optional<ContactKernel<double>> kernel_with<double, Normal>(ContactChoice const&);
+  extern template std::optional<ContactKernel<float>> kernel_with<float, Normal>(                  \
+      ContactChoice const&);                                                                       \
+  extern template std::optional<ContactKernel<double>> kernel_with<double, Normal>(                \
+      ContactChoice const&);
 PRESSCHECK_DECLARE_KERNEL(Hertz)
 PRESSCHECK_DECLARE_KERNEL(Hooke)
 PRESSCHECK_DECLARE_KERNEL(Jkr)
 #undef PRESSCHECK_DECLARE_KERNEL
 
-}  // namespace dem::sweep_detail
+} // namespace dem::sweep_detail

@@ -4,4 +4,4 @@ namespace dem::sweep_detail {
 
 template std::optional<ContactKernel<double>> kernel_with<double, Hooke>(ContactChoice const&);
 
-}  // namespace dem::sweep_detail
+} // namespace dem::sweep_detail

@@ -4,4 +4,4 @@ namespace dem::sweep_detail {
 
 template std::optional<ContactKernel<float>> kernel_with<float, Hooke>(ContactChoice const&);
 
-}  // namespace dem::sweep_detail
+} // namespace dem::sweep_detail

@@ -17,26 +17,21 @@
 /// The laws a case may name. Adding one is one header and one word here.
 namespace dem {
 
-template <class... Law>
-struct LawList {};
+template <class... Law> struct LawList {};
 
 /// With which partners a normal law is composed: the laws that make physical sense beside it.
-template <class Normal>
-struct Partners;
+template <class Normal> struct Partners;
 
-template <>
-struct Partners<Hertz> {
+template <> struct Partners<Hertz> {
   using Cohesion = LawList<NoCohesion, LinearArea, Sjkr>;
   using Tangential = LawList<Frictionless, Mindlin>;
 };
-template <>
-struct Partners<Hooke> {
+template <> struct Partners<Hooke> {
   using Cohesion = LawList<NoCohesion, LinearArea, Sjkr>;
   using Tangential = LawList<Frictionless, HookeSpring>;
 };
 /// JKR carries its own adhesion: a second cohesion would count it twice.
-template <>
-struct Partners<Jkr> {
+template <> struct Partners<Jkr> {
   using Cohesion = LawList<NoCohesion>;
   using Tangential = LawList<Frictionless, Mindlin>;
 };
@@ -44,4 +39,4 @@ struct Partners<Jkr> {
 using NormalLaws = LawList<Hertz, Hooke, Jkr>;
 using RollingLaws = LawList<NoRolling, ConstantTorque>;
 
-}  // namespace dem
+} // namespace dem

@@ -13,12 +13,13 @@ namespace {
 constexpr std::size_t max_constants = 16;
 
 /// Appends one contact's constants and memory to the block's streams once their stride is known.
-template <class T>
-class StreamWriter {
+template <class T> class StreamWriter {
 public:
-  StreamWriter(ContactKernel<T> const& kernel, ContactBlock<T>& block) : kernel_(kernel), block_(block) {}
+  StreamWriter(ContactKernel<T> const& kernel, ContactBlock<T>& block)
+      : kernel_(kernel), block_(block) {}
 
-  void write(std::size_t at, PairMaterial const& pair, PairSize const& size, ContactChoice const& choice) {
+  void write(std::size_t at, PairMaterial const& pair, PairSize const& size,
+             ContactChoice const& choice) {
     std::array<double, max_constants> row{};
     kernel_.constants(pair, size, choice, row.data());
     for (int s = 0; s < kernel_.n_constants; ++s)
@@ -29,8 +30,10 @@ public:
   void remember(std::size_t at, std::span<CarriedContact<T> const> carried, std::uint32_t partner,
                 std::uint32_t patch) {
     for (auto const& c : carried) {
-      if (c.partner != partner || c.patch != patch) continue;
-      for (int s = 0; s < ContactBlock<T>::n_memory; ++s) block_.memory_stream(s)[at] = c.memory[s];
+      if (c.partner != partner || c.patch != patch)
+        continue;
+      for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
+        block_.memory_stream(s)[at] = c.memory[s];
       return;
     }
   }
@@ -55,26 +58,30 @@ std::vector<RowPair> list_pairs(World const& world, double reach, ContactLists<T
     double const own = world.grains.radius[i] + skin[i] + reach;
     for (std::uint32_t j : lists.pairs.of(i)) {
       double const sum = own + world.grains.radius[j] + skin[j];
-      if ((x[i] - x[j]).squaredNorm() < sum * sum) pairs.push_back({i, j});
+      if ((x[i] - x[j]).squaredNorm() < sum * sum)
+        pairs.push_back({i, j});
     }
   }
   return pairs;
 }
 
-/// Gives every grain of the block's contacts a slot: its own grains in their order, then the foreign partners. Slots
-/// are short numbers, because the sweep is bound by what it reads; they are padded for the gather stage.
-template <class T>
-void number_slots(std::vector<RowPair> const& pairs, ContactBlock<T>& block) {
+/// Gives every grain of the block's contacts a slot: its own grains in their order, then the
+/// foreign partners. Slots are short numbers, because the sweep is bound by what it reads; they are
+/// padded for the gather stage.
+template <class T> void number_slots(std::vector<RowPair> const& pairs, ContactBlock<T>& block) {
   block.rows.resize(block.n_rows());
   std::iota(block.rows.begin(), block.rows.end(), block.first_row);
   for (RowPair const& pair : pairs)
-    if (pair.partner >= block.end_row) block.rows.push_back(pair.partner);
+    if (pair.partner >= block.end_row)
+      block.rows.push_back(pair.partner);
   auto const halo = block.rows.begin() + block.n_rows();
   std::sort(halo, block.rows.end());
   block.rows.erase(std::unique(halo, block.rows.end()), block.rows.end());
-  // A block of 512 grains has some hundred foreign partners; only a giant grain among dust could have more than fit.
-  VALIDATE(block.rows.size() <= 65536, "a grain touches more than 65536 others (the sizes of this powder differ too "
-                                       "much for one block of contacts). Are the diameters right?");
+  // A block of 512 grains has some hundred foreign partners; only a giant grain among dust could
+  // have more than fit.
+  VALIDATE(block.rows.size() <= 65536,
+           "a grain touches more than 65536 others (the sizes of this powder differ too "
+           "much for one block of contacts). Are the diameters right?");
   block.n_pairs = static_cast<std::uint32_t>(pairs.size());
   std::size_t const full = (pairs.size() + 3u) / 4u * 4u;
   block.owner.assign(full, 0);
@@ -84,44 +91,57 @@ void number_slots(std::vector<RowPair> const& pairs, ContactBlock<T>& block) {
     std::uint32_t const j = pairs[k].partner;
     block.owner[k] = static_cast<std::uint16_t>(pairs[k].owner - block.first_row);
     block.partner[k] = static_cast<std::uint16_t>(
-        j < block.end_row ? j - block.first_row : std::lower_bound(begin, block.rows.end(), j) - block.rows.begin());
+        j < block.end_row ? j - block.first_row
+                          : std::lower_bound(begin, block.rows.end(), j) - block.rows.begin());
   }
   block.loads.resize(block.rows.size());
 }
 
-/// A patch may be followed without search while neither grain nor tool can bring the closest point to its rim.
+/// A patch may be followed without search while neither grain nor tool can bring the closest point
+/// to its rim.
 bool stays_inside(Tool const& tool, SurfacePoint const& at, double radius, double travel) {
   PatchKind const kind = tool.surface.patches()[at.patch].kind;
-  if (kind == PatchKind::curved || at.distance < 0.0 || at.distance > 2.0 * radius + travel) return false;
+  if (kind == PatchKind::curved || at.distance < 0.0 || at.distance > 2.0 * radius + travel)
+    return false;
   return tool.surface.distance_to_rim(at.patch, at.point) > 2.0 * travel + 1e-3 * radius;
 }
 
 template <class T>
-void list_walls(World const& world, double reach, ContactLists<T> const& lists, ContactBlock<T>& block) {
+void list_walls(World const& world, double reach, ContactLists<T> const& lists,
+                ContactBlock<T>& block) {
   block.walls.clear();
   std::vector<SurfacePoint> found;
   for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
     double const radius = world.grains.radius[i];
     for (std::uint32_t s = lists.near_tool_start[i]; s < lists.near_tool_start[i + 1]; ++s) {
       std::uint32_t const t = lists.near_tool[s];
-      if (!world.tools[t].present) continue;
+      if (!world.tools[t].present)
+        continue;
       double const travel = lists.inner.skin[i] + lists.inner.tool_skin[t];
       found.clear();
-      world.tools[t].surface.find(lists.inner.position[i] - lists.inner.tool[t], radius + travel + reach, found);
+      world.tools[t].surface.find(lists.inner.position[i] - lists.inner.tool[t],
+                                  radius + travel + reach, found);
       for (SurfacePoint const& at : found)
         block.walls.push_back({.owner = i,
                                .tool = t,
                                .patch = at.patch,
                                .inside_rim = stays_inside(world.tools[t], at, radius, travel),
-                               .px = 0, .py = 0, .pz = 0, .fx = 0, .fy = 0, .fz = 0, .normal_force = 0});
+                               .px = 0,
+                               .py = 0,
+                               .pz = 0,
+                               .fx = 0,
+                               .fy = 0,
+                               .fz = 0,
+                               .normal_force = 0});
     }
   }
 }
 
-}  // namespace
+} // namespace
 
 PairSize pair_size(Spheres const& grains, std::size_t i, std::size_t j) {
-  return {.effective_radius = grains.radius[i] * grains.radius[j] / (grains.radius[i] + grains.radius[j]),
+  return {.effective_radius =
+              grains.radius[i] * grains.radius[j] / (grains.radius[i] + grains.radius[j]),
           .effective_mass = grains.mass[i] * grains.mass[j] / (grains.mass[i] + grains.mass[j]),
           .is_wall = false};
 }
@@ -130,15 +150,19 @@ PairSize wall_size(Spheres const& grains, std::size_t i) {
   return {.effective_radius = grains.radius[i], .effective_mass = grains.mass[i], .is_wall = true};
 }
 
-std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i, double reach) {
+std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i,
+                                      double reach) {
   std::vector<std::uint32_t> near;
   std::vector<SurfacePoint> found;
   for (std::uint32_t t = 0; t < world.tools.size(); ++t) {
-    if (!world.tools[t].present) continue;
+    if (!world.tools[t].present)
+      continue;
     found.clear();
     world.tools[t].surface.find(age.position[i] - age.tool[t],
-                                world.grains.radius[i] + age.skin[i] + age.tool_skin[t] + reach, found);
-    if (!found.empty()) near.push_back(t);
+                                world.grains.radius[i] + age.skin[i] + age.tool_skin[t] + reach,
+                                found);
+    if (!found.empty())
+      near.push_back(t);
   }
   return near;
 }
@@ -173,10 +197,11 @@ void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoic
   }
 }
 
-template void fill_block(World const&, ContactKernel<float> const&, ContactChoice const&, PairTable const&, double,
-                         CarriedContacts<float> const&, ContactLists<float> const&, ContactBlock<float>&);
-template void fill_block(World const&, ContactKernel<double> const&, ContactChoice const&, PairTable const&,
-                         double, CarriedContacts<double> const&, ContactLists<double> const&,
-                         ContactBlock<double>&);
+template void fill_block(World const&, ContactKernel<float> const&, ContactChoice const&,
+                         PairTable const&, double, CarriedContacts<float> const&,
+                         ContactLists<float> const&, ContactBlock<float>&);
+template void fill_block(World const&, ContactKernel<double> const&, ContactChoice const&,
+                         PairTable const&, double, CarriedContacts<double> const&,
+                         ContactLists<double> const&, ContactBlock<double>&);
 
-}  // namespace dem
+} // namespace dem

@@ -5,9 +5,11 @@
 namespace dem {
 
 /// Tools that grain i may reach while `age` holds.
-std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i, double reach);
+std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i,
+                                      double reach);
 
-/// Fills one block of the inner list: pairs and walls of its rows with constants and carried histories.
+/// Fills one block of the inner list: pairs and walls of its rows with constants and carried
+/// histories.
 template <class T>
 void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoice const& choice,
                 PairTable const& table, double reach, CarriedContacts<T> const& carried,
@@ -17,4 +19,4 @@ void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoic
 PairSize pair_size(Spheres const& grains, std::size_t i, std::size_t j);
 PairSize wall_size(Spheres const& grains, std::size_t i);
 
-}  // namespace dem
+} // namespace dem

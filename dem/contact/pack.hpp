@@ -5,21 +5,18 @@
 #include <experimental/simd>
 #include <type_traits>
 
-/// The number types a contact law may be evaluated with: double, float, or a pack of either that fills a vector
-/// register. Laws are written once as templates over the number type N and choose between values with
-/// `select(condition, yes, no)` instead of branches.
+/// The number types a contact law may be evaluated with: double, float, or a pack of either that
+/// fills a vector register. Laws are written once as templates over the number type N and choose
+/// between values with `select(condition, yes, no)` instead of branches.
 namespace dem {
 
-template <class T>
-using Pack = std::experimental::native_simd<T>;
+template <class T> using Pack = std::experimental::native_simd<T>;
 
-template <class T>
-inline constexpr std::size_t pack_size = Pack<T>::size();
+template <class T> inline constexpr std::size_t pack_size = Pack<T>::size();
 
 /// `condition ? yes : no`, lane by lane.
 template <class T>
-  requires std::is_floating_point_v<T>
-T select(bool condition, T yes, T no) {
+requires std::is_floating_point_v<T> T select(bool condition, T yes, T no) {
   return condition ? yes : no;
 }
 template <class T, class Abi>
@@ -31,14 +28,12 @@ std::experimental::simd<T, Abi> select(std::experimental::simd_mask<T, Abi> cons
 }
 
 /// The larger of two numbers, lane by lane.
-template <class N>
-N larger(N const& a, N const& b) {
+template <class N> N larger(N const& a, N const& b) {
   return select(a > b, a, b);
 }
 
 template <class T>
-  requires std::is_floating_point_v<T>
-T square_root(T x) {
+requires std::is_floating_point_v<T> T square_root(T x) {
   return std::sqrt(x);
 }
 template <class T, class Abi>
@@ -47,8 +42,7 @@ std::experimental::simd<T, Abi> square_root(std::experimental::simd<T, Abi> cons
 }
 
 template <class T>
-  requires std::is_floating_point_v<T>
-T magnitude(T x) {
+requires std::is_floating_point_v<T> T magnitude(T x) {
   return std::abs(x);
 }
 template <class T, class Abi>
@@ -57,28 +51,30 @@ std::experimental::simd<T, Abi> magnitude(std::experimental::simd<T, Abi> const&
 }
 
 /// Three numbers as a vector: what a law needs of vector algebra, for any number type.
-template <class N>
-struct Triple {
+template <class N> struct Triple {
   N x, y, z;
 
-  friend Triple operator+(Triple const& a, Triple const& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-  friend Triple operator-(Triple const& a, Triple const& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+  friend Triple operator+(Triple const& a, Triple const& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+  }
+  friend Triple operator-(Triple const& a, Triple const& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+  }
   friend Triple operator*(N const& s, Triple const& a) { return {s * a.x, s * a.y, s * a.z}; }
 };
 
-template <class N>
-N dot(Triple<N> const& a, Triple<N> const& b) {
+template <class N> N dot(Triple<N> const& a, Triple<N> const& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;
 }
 
-template <class N>
-Triple<N> cross(Triple<N> const& a, Triple<N> const& b) {
+template <class N> Triple<N> cross(Triple<N> const& a, Triple<N> const& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
 template <class Mask, class N>
 Triple<N> select(Mask const& condition, Triple<N> const& yes, Triple<N> const& no) {
-  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y), select(condition, yes.z, no.z)};
+  return {select(condition, yes.x, no.x), select(condition, yes.y, no.y),
+          select(condition, yes.z, no.z)};
 }
 
-}  // namespace dem
+} // namespace dem

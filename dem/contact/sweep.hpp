@@ -11,17 +11,18 @@
 #include <bit>
 #include <utility>
 
-/// The hot loop. Contacts go through three stages in batches: gather (records of both grains into arrays), pure
-/// arithmetic (the contact model on packs), scatter (forces into the block's load buffer). The stages let many
-/// contacts be in flight at once; one contact at a time would wait for its own square roots.
+/// The hot loop. Contacts go through three stages in batches: gather (records of both grains into
+/// arrays), pure arithmetic (the contact model on packs), scatter (forces into the block's load
+/// buffer). The stages let many contacts be in flight at once; one contact at a time would wait for
+/// its own square roots.
 namespace dem::sweep_detail {
 
 inline constexpr std::size_t batch = 64;
 
 /// One batch, one array a component.
-template <class T>
-struct alignas(64) Batch {
-  double x[batch], y[batch], z[batch], sum[batch];  // separation and radius sum in double: the gap is formed here
+template <class T> struct alignas(64) Batch {
+  double x[batch], y[batch], z[batch],
+      sum[batch]; // separation and radius sum in double: the gap is formed here
   T sx[batch], sy[batch], sz[batch], square_gap[batch], radius_sum[batch];
   T vx[batch], vy[batch], vz[batch], unused[batch];
   T wix[batch], wiy[batch], wiz[batch], radius_i[batch];
@@ -51,7 +52,7 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
       spin_i[l] = load_lanes(&mi.wx);
       spin_j[l] = load_lanes(&mj.wx);
     }
-    auto const spread = [k](auto (&rows)[4], auto* x, auto* y, auto* z, auto* w) {
+    auto const spread = [k](auto(&rows)[4], auto* x, auto* y, auto* z, auto* w) {
       transpose(rows[0], rows[1], rows[2], rows[3]);
       store_lanes(x + k, rows[0]);
       store_lanes(y + k, rows[1]);
@@ -65,8 +66,8 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
   }
 }
 
-/// A tool is a partner of the grain's own radius that stands behind the surface: its surface point and normal are
-/// the tool's, and the distance keeps its sign however deep the grain goes.
+/// A tool is a partner of the grain's own radius that stands behind the surface: its surface point
+/// and normal are the tool's, and the distance keeps its sign however deep the grain goes.
 template <class T>
 void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> const& in,
                   std::vector<SurfacePoint>& found) {
@@ -76,7 +77,7 @@ void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> 
     PlaceRecord const& place = in.places[wall.owner];
     MotionRecord<T> const& motion = in.motions[wall.owner];
     Vec3 const centre = Vec3(place.x, place.y, place.z) - tool.displacement;
-    double distance = 2.0 * place.radius;  // nothing there: as far as a partner that does not touch
+    double distance = 2.0 * place.radius; // nothing there: as far as a partner that does not touch
     Vec3 normal = Vec3::UnitZ(), point = centre;
     if (tool.present) {
       if (wall.inside_rim) {
@@ -86,7 +87,8 @@ void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> 
         found.clear();
         tool.surface.find(centre, 1.2 * place.radius, found);
         for (SurfacePoint const& at : found)
-          if (at.patch == wall.patch) distance = at.distance, normal = at.normal, point = at.point;
+          if (at.patch == wall.patch)
+            distance = at.distance, normal = at.normal, point = at.point;
       }
     }
     wall.px = point.x() + tool.displacement.x();
@@ -105,17 +107,16 @@ void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> 
 }
 
 /// Lanes beyond the last contact: two points apart, without a gap.
-template <class T>
-void blank(Batch<T>& b, std::size_t first, std::size_t end) {
+template <class T> void blank(Batch<T>& b, std::size_t first, std::size_t end) {
   for (std::size_t k = first; k < end; ++k) {
     b.x[k] = 3.0, b.y[k] = b.z[k] = 0.0, b.sum[k] = 2.0;
-    b.vx[k] = b.vy[k] = b.vz[k] = b.wix[k] = b.wiy[k] = b.wiz[k] = b.wjx[k] = b.wjy[k] = b.wjz[k] = T(0);
+    b.vx[k] = b.vy[k] = b.vz[k] = b.wix[k] = b.wiy[k] = b.wiz[k] = b.wjx[k] = b.wjy[k] = b.wjz[k] =
+        T(0);
     b.radius_i[k] = b.radius_j[k] = T(1);
   }
 }
 
-template <class T>
-void form_gaps(Batch<T>& b, std::size_t n) {
+template <class T> void form_gaps(Batch<T>& b, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     double const square = b.x[k] * b.x[k] + b.y[k] * b.y[k] + b.z[k] * b.z[k];
     b.square_gap[k] = static_cast<T>(b.sum[k] * b.sum[k] - square);
@@ -144,18 +145,21 @@ typename Model::template Constants<N> load_model_constants(T const* at, std::siz
   constexpr std::size_t n = Model::NormalLaw::n_constants, c = Model::CohesionLaw::n_constants,
                         t = Model::TangentialLaw::n_constants, r = Model::RollingLaw::n_constants;
   return C{load_constants<decltype(C::normal), N>(at, stride, std::make_index_sequence<n>{}),
-           load_constants<decltype(C::cohesion), N>(at + n * stride, stride, std::make_index_sequence<c>{}),
+           load_constants<decltype(C::cohesion), N>(at + n * stride, stride,
+                                                    std::make_index_sequence<c>{}),
            load_constants<decltype(C::tangential), N>(at + (n + c) * stride, stride,
                                                       std::make_index_sequence<t>{}),
            load_constants<decltype(C::rolling), N>(at + (n + c + t) * stride, stride,
                                                    std::make_index_sequence<r>{})};
 }
 
-/// The pure stage: the model on every pack of the batch. `at` is the batch's place in the block's streams.
-/// Flattened: every law is inlined, so packs stay in registers and never travel through memory as arguments.
+/// The pure stage: the model on every pack of the batch. `at` is the batch's place in the block's
+/// streams. Flattened: every law is inlined, so packs stay in registers and never travel through
+/// memory as arguments.
 template <class Model, class T>
-[[gnu::flatten]] void evaluate_batch(Batch<T>& b, std::size_t n, ContactBlock<T>& block, std::size_t at, SweepInput<T> const& in,
-                    std::array<Pack<T>, 3>& power) {
+[[gnu::flatten]] void evaluate_batch(Batch<T>& b, std::size_t n, ContactBlock<T>& block,
+                                     std::size_t at, SweepInput<T> const& in,
+                                     std::array<Pack<T>, 3>& power) {
   using N = Pack<T>;
   constexpr auto aligned = std::experimental::element_aligned;
   N const dt(static_cast<T>(in.dt));
@@ -165,8 +169,10 @@ template <class Model, class T>
     T* const m = block.memory.data() + at + k;
     ContactMemory<N> memory{};
     if constexpr (Model::has_spring)
-      memory.spring = {N(m, aligned), N(m + block.stride, aligned), N(m + 2 * block.stride, aligned)};
-    if constexpr (Model::has_memory) memory.normal = N(m + 3 * block.stride, aligned);
+      memory.spring = {N(m, aligned), N(m + block.stride, aligned),
+                       N(m + 2 * block.stride, aligned)};
+    if constexpr (Model::has_memory)
+      memory.normal = N(m + 3 * block.stride, aligned);
     ContactInput<N> const input{
         .separation = {N(b.sx + k, aligned), N(b.sy + k, aligned), N(b.sz + k, aligned)},
         .square_gap = square_gap,
@@ -176,7 +182,8 @@ template <class Model, class T>
         .velocity = {N(b.vx + k, aligned), N(b.vy + k, aligned), N(b.vz + k, aligned)},
         .spin_i = {N(b.wix + k, aligned), N(b.wiy + k, aligned), N(b.wiz + k, aligned)},
         .spin_j = {N(b.wjx + k, aligned), N(b.wjy + k, aligned), N(b.wjz + k, aligned)}};
-    auto const constants = load_model_constants<Model, N>(block.constants.data() + at + k, block.stride);
+    auto const constants =
+        load_model_constants<Model, N>(block.constants.data() + at + k, block.stride);
     ContactOutput<N> const out = Model::evaluate(input, constants, switches, dt, memory);
     if (in.dt > 0.0) {
       if constexpr (Model::has_spring) {
@@ -184,7 +191,8 @@ template <class Model, class T>
         memory.spring.y.copy_to(m + block.stride, aligned);
         memory.spring.z.copy_to(m + 2 * block.stride, aligned);
       }
-      if constexpr (Model::has_memory) memory.normal.copy_to(m + 3 * block.stride, aligned);
+      if constexpr (Model::has_memory)
+        memory.normal.copy_to(m + 3 * block.stride, aligned);
     }
     out.force.x.copy_to(b.fx + k, aligned);
     out.force.y.copy_to(b.fy + k, aligned);
@@ -202,8 +210,7 @@ template <class Model, class T>
   }
 }
 
-template <class T>
-void add(LoadRecord<T>& record, Lanes<T> force, Lanes<T> torque) {
+template <class T> void add(LoadRecord<T>& record, Lanes<T> force, Lanes<T> torque) {
   store_lanes(&record.fx, load_lanes(&record.fx) + force);
   store_lanes(&record.tx, load_lanes(&record.tx) + torque);
 }
@@ -240,8 +247,7 @@ void scatter_walls(Batch<T> const& b, std::size_t n, WallContact* walls, Contact
   }
 }
 
-template <class Model, class T>
-void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
+template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
   Batch<T> b;
   std::array<Pack<T>, 3> power{Pack<T>(0), Pack<T>(0), Pack<T>(0)};
   std::fill(block.loads.begin(), block.loads.end(), LoadRecord<T>{});
@@ -264,19 +270,21 @@ void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
   }
   auto const sum = [](Pack<T> const& p) {
     double total = 0.0;
-    for (std::size_t l = 0; l < pack_size<T>; ++l) total += static_cast<double>(p[l]);
+    for (std::size_t l = 0; l < pack_size<T>; ++l)
+      total += static_cast<double>(p[l]);
     return total;
   };
-  block.power = {.normal_loss = sum(power[0]), .tangential = sum(power[1]), .rolling = sum(power[2])};
+  block.power = {
+      .normal_loss = sum(power[0]), .tangential = sum(power[1]), .rolling = sum(power[2])};
 }
 
-template <class Model>
-typename Model::template Constants<double> from_row(double const* row) {
+template <class Model> typename Model::template Constants<double> from_row(double const* row) {
   return load_model_constants<Model, double>(row, 1);
 }
 
 template <class Model>
-void write_constants(PairMaterial const& pair, PairSize const& size, ContactChoice const& choice, double* out) {
+void write_constants(PairMaterial const& pair, PairSize const& size, ContactChoice const& choice,
+                     double* out) {
   auto const c = Model::constants(pair, size, choice);
   auto const put = [&out]<class C>(C const& part, auto n) {
     if constexpr (decltype(n)::value > 0) {
@@ -290,25 +298,26 @@ void write_constants(PairMaterial const& pair, PairSize const& size, ContactChoi
   put(c.rolling, std::integral_constant<std::size_t, Model::RollingLaw::n_constants>{});
 }
 
-template <class Model, class T>
-ContactKernel<T> kernel_of() {
+template <class Model, class T> ContactKernel<T> kernel_of() {
   using Kernel = ContactKernel<T>;
   return {
       .n_constants = Model::n_constants,
       .has_memory = Model::has_memory,
       .constants = &write_constants<Model>,
-      .reach = [](double const* row) { return Model::NormalLaw::reach(from_row<Model>(row).normal); },
+      .reach =
+          [](double const* row) { return Model::NormalLaw::reach(from_row<Model>(row).normal); },
       .sweep = &sweep<Model, T>,
       .evaluate =
-          [](ContactInput<double> const& in, double const* row, ModelSwitches<double> const& switches,
-             ContactMemory<double> memory) {
+          [](ContactInput<double> const& in, double const* row,
+             ModelSwitches<double> const& switches, ContactMemory<double> memory) {
             return Model::evaluate(in, from_row<Model>(row), switches, 0.0, memory);
           },
       .energy =
           [](double const* row, double overlap, double radius_i, double radius_j) {
             auto const c = from_row<Model>(row);
-            return typename Kernel::Energy{Model::NormalLaw::energy(c.normal, overlap),
-                                           Model::CohesionLaw::energy(c.cohesion, overlap, radius_i, radius_j)};
+            return typename Kernel::Energy{
+                Model::NormalLaw::energy(c.normal, overlap),
+                Model::CohesionLaw::energy(c.cohesion, overlap, radius_i, radius_j)};
           },
       .stiffness =
           [](double const* row, double overlap) {
@@ -324,4 +333,4 @@ ContactKernel<T> kernel_of() {
           }};
 }
 
-}  // namespace dem::sweep_detail
+} // namespace dem::sweep_detail

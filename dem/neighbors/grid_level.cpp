@@ -29,7 +29,8 @@ GridLevel::GridLevel(GridBox const& box, double cell_size, std::span<Vec3 const>
   };
   while (true) {
     n_ = {count(0), count(1), count(2)};
-    if (static_cast<double>(n_[0]) * n_[1] * n_[2] <= 8.0 * static_cast<double>(rows.size()) + 64.0) break;
+    if (static_cast<double>(n_[0]) * n_[1] * n_[2] <= 8.0 * static_cast<double>(rows.size()) + 64.0)
+      break;
     cell_size *= 1.25;
   }
   for (int axis = 0; axis < 3; ++axis)
@@ -40,13 +41,16 @@ GridLevel::GridLevel(GridBox const& box, double cell_size, std::span<Vec3 const>
   start_.assign(static_cast<std::size_t>(n_[0]) * n_[1] * n_[2] + 1, 0);
   for (std::size_t k = 0; k < rows.size(); ++k) {
     auto const c = cell_of(position[rows[k]]);
-    cell[k] = static_cast<std::uint32_t>((static_cast<std::size_t>(c[2]) * n_[1] + c[1]) * n_[0] + c[0]);
+    cell[k] =
+        static_cast<std::uint32_t>((static_cast<std::size_t>(c[2]) * n_[1] + c[1]) * n_[0] + c[0]);
     ++start_[cell[k] + 1];
   }
-  for (std::size_t c = 1; c < start_.size(); ++c) start_[c] += start_[c - 1];
+  for (std::size_t c = 1; c < start_.size(); ++c)
+    start_[c] += start_[c - 1];
   std::vector<std::uint32_t> next(start_.begin(), start_.end() - 1);
   rows_.resize(rows.size());
-  for (std::size_t k = 0; k < rows.size(); ++k) rows_[next[cell[k]]++] = rows[k];
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    rows_[next[cell[k]]++] = rows[k];
 }
 
 std::array<int, 3> GridLevel::cell_of(Vec3 const& x) const {
@@ -58,4 +62,4 @@ std::array<int, 3> GridLevel::cell_of(Vec3 const& x) const {
   return c;
 }
 
-}  // namespace dem
+} // namespace dem

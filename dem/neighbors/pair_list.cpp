@@ -14,12 +14,14 @@ namespace {
 
 using Row = std::uint32_t;
 
-/// Level of each grain: cells of level l are 2^l times those of the smallest grains and hold a grain's diameter.
+/// Level of each grain: cells of level l are 2^l times those of the smallest grains and hold a
+/// grain's diameter.
 std::vector<std::uint8_t> levels_of(std::span<double const> reach, double smallest) {
   std::vector<std::uint8_t> level(reach.size());
   for (std::size_t i = 0; i < reach.size(); ++i) {
     int l = std::max(0, std::ilogb(reach[i] / smallest));
-    if (reach[i] > std::ldexp(smallest, l)) ++l;
+    if (reach[i] > std::ldexp(smallest, l))
+      ++l;
     level[i] = static_cast<std::uint8_t>(std::min(l, 30));
   }
   return level;
@@ -30,29 +32,33 @@ PairList sort_by_owner(std::size_t n, std::vector<std::vector<std::pair<Row, Row
   PairList list;
   list.start.assign(n + 1, 0);
   for (auto const& part : found)
-    for (auto const& [a, b] : part) ++list.start[a + 1];
+    for (auto const& [a, b] : part)
+      ++list.start[a + 1];
   std::partial_sum(list.start.begin(), list.start.end(), list.start.begin());
   list.partner.resize(list.start.back());
   std::vector<Row> next(list.start.begin(), list.start.end() - 1);
   for (auto const& part : found)
-    for (auto const& [a, b] : part) list.partner[next[a]++] = b;
+    for (auto const& [a, b] : part)
+      list.partner[next[a]++] = b;
 #pragma omp parallel for schedule(static) if (n > 1024)
   for (std::size_t i = 0; i < n; ++i)
     std::sort(list.partner.begin() + list.start[i], list.partner.begin() + list.start[i + 1]);
   return list;
 }
 
-}  // namespace
+} // namespace
 
 PairList find_pairs(std::span<Vec3 const> position, std::span<double const> reach) {
   EXPECT(position.size() == reach.size());
   std::size_t const n = position.size();
-  if (n == 0) return {.start = {0}, .partner = {}};
+  if (n == 0)
+    return {.start = {0}, .partner = {}};
   double const smallest = *std::ranges::min_element(reach);
   auto const level = levels_of(reach, smallest);
   std::size_t const n_levels = *std::ranges::max_element(level) + 1u;
   std::vector<std::vector<Row>> rows(n_levels);
-  for (Row i = 0; i < n; ++i) rows[level[i]].push_back(i);
+  for (Row i = 0; i < n; ++i)
+    rows[level[i]].push_back(i);
   GridBox const box = grid_box(position);
   std::vector<GridLevel> grids;
   for (std::size_t l = 0; l < n_levels; ++l)
@@ -70,9 +76,11 @@ PairList find_pairs(std::span<Vec3 const> position, std::span<double const> reac
           found[part].emplace_back(std::min(i, j), std::max(i, j));
       };
       grids[level[i]].near(position[i], [&](Row j) {
-        if (j > i) consider(j);
+        if (j > i)
+          consider(j);
       });
-      for (std::size_t l = level[i] + 1u; l < n_levels; ++l) grids[l].near(position[i], consider);
+      for (std::size_t l = level[i] + 1u; l < n_levels; ++l)
+        grids[l].near(position[i], consider);
     }
   }
   return sort_by_owner(n, found);
@@ -83,7 +91,8 @@ PairList find_pairs_by_brute_force(std::span<Vec3 const> position, std::span<dou
   for (Row i = 0; i < position.size(); ++i) {
     for (Row j = i + 1; j < position.size(); ++j) {
       double const sum = reach[i] + reach[j];
-      if ((position[i] - position[j]).squaredNorm() < sum * sum) list.partner.push_back(j);
+      if ((position[i] - position[j]).squaredNorm() < sum * sum)
+        list.partner.push_back(j);
     }
     list.start.push_back(static_cast<Row>(list.partner.size()));
   }
@@ -93,7 +102,7 @@ PairList find_pairs_by_brute_force(std::span<Vec3 const> position, std::span<dou
 std::vector<std::uint32_t> order_along_curve(std::span<Vec3 const> position) {
   GridBox const box = grid_box(position);
   double const extent = std::max((box.high - box.low).maxCoeff(), 1e-300);
-  auto const spread = [](std::uint64_t x) {  // two zero bits after each of 20
+  auto const spread = [](std::uint64_t x) { // two zero bits after each of 20
     x &= 0xfffff;
     x = (x | x << 32) & 0x1f00000000ffffull;
     x = (x | x << 16) & 0x1f0000ff0000ffull;
@@ -105,14 +114,16 @@ std::vector<std::uint32_t> order_along_curve(std::span<Vec3 const> position) {
   std::vector<std::pair<std::uint64_t, std::uint32_t>> key(position.size());
   for (std::uint32_t i = 0; i < position.size(); ++i) {
     Vec3 const at = ((position[i] - box.low) / extent).cwiseMax(0.0).cwiseMin(1.0) * 1048575.0;
-    key[i] = {spread(static_cast<std::uint64_t>(at.x())) | spread(static_cast<std::uint64_t>(at.y())) << 1 |
+    key[i] = {spread(static_cast<std::uint64_t>(at.x())) |
+                  spread(static_cast<std::uint64_t>(at.y())) << 1 |
                   spread(static_cast<std::uint64_t>(at.z())) << 2,
               i};
   }
   std::ranges::sort(key);
   std::vector<std::uint32_t> order(position.size());
-  for (std::size_t k = 0; k < key.size(); ++k) order[k] = key[k].second;
+  for (std::size_t k = 0; k < key.size(); ++k)
+    order[k] = key[k].second;
   return order;
 }
 
-}  // namespace dem
+} // namespace dem

@@ -12,27 +12,32 @@ namespace dem {
 namespace {
 
 void move_tools(std::vector<Tool>& tools, double dt) {
-  for (Tool& tool : tools) tool.displacement += dt * tool.velocity;
+  for (Tool& tool : tools)
+    tool.displacement += dt * tool.velocity;
 }
 
 /// A lost number spreads through every contact: look for it in the sum of all positions.
 void refuse_lost_numbers(World const& world) {
   for (std::size_t i = 0; i < world.grains.size(); ++i)
     if (!world.grains.position[i].allFinite())
-      throw PhysicsGuard("grain " + std::to_string(world.grains.id[i]) + " has no position any more at time " +
-                         std::to_string(world.time) +
-                         " s (a force or velocity left the range of numbers). Is the time step too large?");
+      throw PhysicsGuard(
+          "grain " + std::to_string(world.grains.id[i]) + " has no position any more at time " +
+          std::to_string(world.time) +
+          " s (a force or velocity left the range of numbers). Is the time step too large?");
 }
 
-}  // namespace
+} // namespace
 
-void prepare(World& world) { world.contacts.evaluate(world); }
+void prepare(World& world) {
+  world.contacts.evaluate(world);
+}
 
 void advance(World& world, double dt) {
   EXPECT(dt > 0.0);
   double const gravity_power = world.contacts.kick_and_drift(world, dt);
-  world.energy.gravity_work += dt * gravity_power;  // exact: m g . dx
-  if (!std::isfinite(gravity_power)) refuse_lost_numbers(world);
+  world.energy.gravity_work += dt * gravity_power; // exact: m g . dx
+  if (!std::isfinite(gravity_power))
+    refuse_lost_numbers(world);
   move_tools(world.tools, dt);
   world.contacts.refresh(world, dt);
   world.contacts.sweep(world, dt);
@@ -53,6 +58,8 @@ double rayleigh_time(World const& world) {
   return shortest;
 }
 
-double stable_time_step(World const& world) { return world.contacts.stable_step(world); }
+double stable_time_step(World const& world) {
+  return world.contacts.stable_step(world);
+}
 
-}  // namespace dem
+} // namespace dem

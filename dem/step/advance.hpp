@@ -4,23 +4,25 @@
 
 namespace dem {
 
-/// Computes the forces of the present state without moving anything or advancing contact history: call once after a
-/// World has been built or its tools were changed by hand.
+/// Computes the forces of the present state without moving anything or advancing contact history:
+/// call once after a World has been built or its tools were changed by hand.
 void prepare(World& world);
 
 /// One step of velocity Verlet, kick-drift-kick:
-///   v += dt/2 F/m, w += dt/2 T/I, x += dt v;  tools move;  F, T from the new x with the half-step v, w;  second half kick.
-/// Tools move with their `velocity`; their force, radial force and work are those of this step when it returns.
-/// Source: Allen and Tildesley, Computer Simulation of Liquids (2017), 3.2; order of operations as in
-/// LIGGGHTS' (contact-law notes, section 3).
+///   v += dt/2 F/m, w += dt/2 T/I, x += dt v;  tools move;  F, T from the new x with the half-step
+///   v, w;  second half kick.
+/// Tools move with their `velocity`; their force, radial force and work are those of this step when
+/// it returns. Source: Allen and Tildesley, Computer Simulation of Liquids (2017), 3.2; order of
+/// operations as in LIGGGHTS' (contact-law notes, section 3).
 /// @throws PhysicsGuard if a grain's position is no longer finite
 void advance(World& world, double dt);
 
-/// Smallest Rayleigh time of the grains [s]:  pi R sqrt(rho/G) / (0.1631 nu + 0.8766),  G = E / (2 (1 + nu)).
-/// Source: Li, Xu and Thornton, Powder Technol. 160 (2005) 219 (the seed's definition).
+/// Smallest Rayleigh time of the grains [s]:  pi R sqrt(rho/G) / (0.1631 nu + 0.8766),  G = E / (2
+/// (1 + nu)). Source: Li, Xu and Thornton, Powder Technol. 160 (2005) 219 (the seed's definition).
 double rayleigh_time(World const& world);
 
-/// Largest stable step [s] of the present contacts, springs and dashpots (see dem/contact/stable_step.hpp).
+/// Largest stable step [s] of the present contacts, springs and dashpots (see
+/// dem/contact/stable_step.hpp).
 double stable_time_step(World const& world);
 
-}  // namespace dem
+} // namespace dem

@@ -10,9 +10,9 @@ namespace dem {
 inline void half_kick(Spheres& grains, std::size_t i, double dt) {
   double const square = grains.radius[i] * grains.radius[i];
   double const half_over_inertia = 0.5 * dt * 2.5 / (grains.mass[i] * square);
-  double const half_over_mass = 0.4 * square * half_over_inertia;  // one division for both
+  double const half_over_mass = 0.4 * square * half_over_inertia; // one division for both
   grains.velocity[i] += half_over_mass * grains.force[i];
   grains.spin[i] += half_over_inertia * grains.torque[i];
 }
 
-}  // namespace dem
+} // namespace dem

@@ -8,14 +8,14 @@
 
 namespace dem {
 
-/// Everything that a restart must keep of a World, as plain arrays. What a case file rebuilds (materials, tool
-/// surfaces, laws) is not part of it.
+/// Everything that a restart must keep of a World, as plain arrays. What a case file rebuilds
+/// (materials, tool surfaces, laws) is not part of it.
 struct WorldState {
   Spheres grains;
   ContactState contacts;
-  std::vector<Vec3> tool_displacement, tool_velocity, tool_force;  ///< n_tools
-  std::vector<double> tool_radial_force, tool_work;                ///< n_tools
-  std::vector<std::uint8_t> tool_present;                          ///< n_tools
+  std::vector<Vec3> tool_displacement, tool_velocity, tool_force; ///< n_tools
+  std::vector<double> tool_radial_force, tool_work;               ///< n_tools
+  std::vector<std::uint8_t> tool_present;                         ///< n_tools
   EnergyTally energy;
   double time = 0.0;
   std::uint64_t step = 0;
@@ -28,10 +28,10 @@ WorldState capture_state(World const& world);
 /// @throws InvalidInput if the state has other numbers of grains or tools than it says
 void restore_state(World& world, WorldState const& state);
 
-/// Calls `field(name, value)` for every part of the state, in a fixed order. `value` is a reference to a std::vector
-/// of Vec3, double, std::uint8_t or std::uint32_t, or to one double or std::uint64_t. Used for writing and reading.
-template <class State, class Field>
-void visit_state(State& state, Field&& field) {
+/// Calls `field(name, value)` for every part of the state, in a fixed order. `value` is a reference
+/// to a std::vector of Vec3, double, std::uint8_t or std::uint32_t, or to one double or
+/// std::uint64_t. Used for writing and reading.
+template <class State, class Field> void visit_state(State& state, Field&& field) {
   field("grains/position", state.grains.position);
   field("grains/velocity", state.grains.velocity);
   field("grains/spin", state.grains.spin);
@@ -67,4 +67,4 @@ void visit_state(State& state, Field&& field) {
   field("step", state.step);
 }
 
-}  // namespace dem
+} // namespace dem

@@ -14,10 +14,10 @@ namespace dem {
 
 /// Energies that only the sweep can see, summed over all steps so far [J].
 struct EnergyTally {
-  double normal_damping = 0.0;      ///< lost in normal dashpots
-  double tangential_work = 0.0;     ///< put into tangential springs, dashpots and sliding
-  double rolling_work = 0.0;        ///< lost in rolling resistance
-  double gravity_work = 0.0;        ///< done by gravity on the grains
+  double normal_damping = 0.0;  ///< lost in normal dashpots
+  double tangential_work = 0.0; ///< put into tangential springs, dashpots and sliding
+  double rolling_work = 0.0;    ///< lost in rolling resistance
+  double gravity_work = 0.0;    ///< done by gravity on the grains
 };
 
 /// Everything the grains' step needs. Copyable: a saved state is a copy.
@@ -25,11 +25,11 @@ struct World {
   Spheres grains;
   MaterialTable materials;
   std::vector<Tool> tools;
-  Vec3 gravity = Vec3(0.0, 0.0, -9.81);  ///< [m/s^2]
-  double time = 0.0;                     ///< [s]
+  Vec3 gravity = Vec3(0.0, 0.0, -9.81); ///< [m/s^2]
+  double time = 0.0;                    ///< [s]
   std::uint64_t step = 0;
   EnergyTally energy;
-  ContactEngine contacts;                ///< neighbour lists, contact history, laws
+  ContactEngine contacts; ///< neighbour lists, contact history, laws
 };
 
-}  // namespace dem
+} // namespace dem

@@ -3,4 +3,4 @@
 namespace dem {
 struct World;
 struct Tool;
-}  // namespace dem
+} // namespace dem

@@ -32,9 +32,11 @@ void restore_state(World& world, WorldState const& state) {
   VALIDATE(same(g.velocity, g.spin, g.force, g.torque, g.radius, g.mass, g.material, g.id),
            "restart: the arrays of the grains differ in length. Is the file damaged?");
   VALIDATE(state.tool_displacement.size() == world.tools.size() &&
-               state.tool_velocity.size() == world.tools.size() && state.tool_force.size() == world.tools.size() &&
+               state.tool_velocity.size() == world.tools.size() &&
+               state.tool_force.size() == world.tools.size() &&
                state.tool_radial_force.size() == world.tools.size() &&
-               state.tool_work.size() == world.tools.size() && state.tool_present.size() == world.tools.size(),
+               state.tool_work.size() == world.tools.size() &&
+               state.tool_present.size() == world.tools.size(),
            "restart: it holds another number of tools than the case. Is it from another case?");
   world.grains = g;
   for (std::size_t t = 0; t < world.tools.size(); ++t) {
@@ -52,4 +54,4 @@ void restore_state(World& world, WorldState const& state) {
   world.contacts.restore(world, state.contacts);
 }
 
-}  // namespace dem
+} // namespace dem

@@ -1,8 +1,8 @@
 // fuzz-build: dem/surface/box_tree.cpp dem/surface/closest_point.cpp dem/surface/curve_sides.cpp
 // fuzz-build: dem/surface/fit_shape.cpp dem/surface/rim_contact.cpp dem/surface/smooth_patches.cpp
 // fuzz-build: dem/surface/smooth_surface.cpp dem/surface/stl.cpp dem/surface/stl_facets.cpp
-// fuzz-build: dem/surface/surface_edges.cpp dem/surface/surface_report.cpp dem/surface/surface_search.cpp
-// fuzz-build: dem/surface/weld.cpp
+// fuzz-build: dem/surface/surface_edges.cpp dem/surface/surface_report.cpp
+// dem/surface/surface_search.cpp fuzz-build: dem/surface/weld.cpp
 #include "dem/expect.hpp"
 #include "dem/surface/smooth_surface.hpp"
 #include "dem/surface/stl.hpp"
@@ -15,7 +15,8 @@
 #include <string_view>
 #include <vector>
 
-/// Any bytes are either refused with InvalidInput, in one line, or make a tool that answers questions.
+/// Any bytes are either refused with InvalidInput, in one line, or make a tool that answers
+/// questions.
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size) {
   try {
     auto const tool = dem::read_stl(std::as_bytes(std::span(data, size)), "fuzz.stl", 1e-3);

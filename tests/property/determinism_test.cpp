@@ -24,8 +24,11 @@ struct Flavour {
 
 build::Recipe recipe(Flavour const& flavour) {
   build::Recipe r;
-  r.grain_grain = {.restitution = 0.5, .static_friction = 0.3, .rolling_friction = 0.02,
-                   .cohesion_energy_density = 2e6, .surface_energy = 0.5};
+  r.grain_grain = {.restitution = 0.5,
+                   .static_friction = 0.3,
+                   .rolling_friction = 0.02,
+                   .cohesion_energy_density = 2e6,
+                   .surface_energy = 0.5};
   r.grain_wall = {.restitution = 0.6, .static_friction = 0.2, .surface_energy = 0.2};
   r.law.normal = flavour.normal;
   r.law.cohesion = flavour.normal == "jkr" ? "none" : "sjkr2";
@@ -41,15 +44,22 @@ constexpr double dt = 4e-7;
 dem::World pressed_bed(Flavour const& flavour) {
   dem::World world = build::empty_world(recipe(flavour));
   double const side = 7e-3;
-  build::add_cloud(world, {.n_grains = 1200, .smallest = 0.15e-3, .largest = 0.9e-3, .high = Vec3::Constant(side),
-                           .relative_overlap = 0.05, .speed = 1.0});
-  build::add_plane(world, nullptr, Vec3(side / 2, side / 2, 0), Vec3::UnitZ(), Vec3(0, 0, 0.3), 5 * side, 3);
-  build::add_plane(world, nullptr, Vec3(side / 2, side / 2, side), -Vec3::UnitZ(), Vec3(0, 0, -0.3), 5 * side);
+  build::add_cloud(world, {.n_grains = 1200,
+                           .smallest = 0.15e-3,
+                           .largest = 0.9e-3,
+                           .high = Vec3::Constant(side),
+                           .relative_overlap = 0.05,
+                           .speed = 1.0});
+  build::add_plane(world, nullptr, Vec3(side / 2, side / 2, 0), Vec3::UnitZ(), Vec3(0, 0, 0.3),
+                   5 * side, 3);
+  build::add_plane(world, nullptr, Vec3(side / 2, side / 2, side), -Vec3::UnitZ(), Vec3(0, 0, -0.3),
+                   5 * side);
   return world;
 }
 
 void advance(dem::World& world, int steps) {
-  for (int k = 0; k < steps; ++k) dem::advance(world, dt);
+  for (int k = 0; k < steps; ++k)
+    dem::advance(world, dt);
 }
 
 /// Bytes of everything a restart would keep, by name.
@@ -61,7 +71,8 @@ std::map<std::string, std::string> bytes_of(dem::World const& world) {
     if constexpr (std::is_arithmetic_v<Value>) {
       bytes[name].assign(reinterpret_cast<char const*>(&value), sizeof value);
     } else if (!value.empty()) {
-      bytes[name].assign(reinterpret_cast<char const*>(value.data()), value.size() * sizeof value[0]);
+      bytes[name].assign(reinterpret_cast<char const*>(value.data()),
+                         value.size() * sizeof value[0]);
     }
   });
   return bytes;
@@ -146,4 +157,4 @@ INSTANTIATE_TEST_SUITE_P(Flavours, Bits,
                                            Flavour{"jkr_mixed", "jkr", dem::Precision::mixed}),
                          [](auto const& p) { return p.param.name; });
 
-}  // namespace
+} // namespace

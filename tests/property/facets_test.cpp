@@ -17,7 +17,8 @@ build::Recipe recipe() {
   return r;
 }
 
-dem::World grain_over(int n_cells, bool crossed, Vec3 const& position, Vec3 const& velocity, Vec3 const& spin) {
+dem::World grain_over(int n_cells, bool crossed, Vec3 const& position, Vec3 const& velocity,
+                      Vec3 const& spin) {
   dem::World world = build::empty_world(recipe());
   world.grains.add(position, 0.5e-3, 3500.0, 0, velocity, spin);
   build::add_tool(world, "punch", build::plate(6e-3, 3e-3, n_cells, crossed));
@@ -27,16 +28,18 @@ dem::World grain_over(int n_cells, bool crossed, Vec3 const& position, Vec3 cons
 
 TEST(Facets, DoNotChangeTheForceAtRest) {
   double const z = 0.48e-3;
-  dem::World const whole = grain_over(1, false, Vec3(0.3e-3, 0.7e-3, z), Vec3::Zero(), Vec3::Zero());
+  dem::World const whole =
+      grain_over(1, false, Vec3(0.3e-3, 0.7e-3, z), Vec3::Zero(), Vec3::Zero());
   double const expected = whole.grains.force[0].norm();
   ASSERT_GT(expected, 0.0);
   for (int const n : {2, 5, 12, 40}) {
     for (bool const crossed : {false, true}) {
       double const cell = 12e-3 / n;
       // Over a face, an edge, a diagonal and a vertex of the pattern.
-      for (Vec3 const& at : {Vec3(0.3 * cell, 0.1 * cell, z), Vec3(0.5 * cell, 0, z), Vec3(0.5 * cell, 0.5 * cell, z),
-                            Vec3(0, 0, z)}) {
-        SCOPED_TRACE(testing::Message() << n << (crossed ? " crossed" : "") << " at " << at.transpose());
+      for (Vec3 const& at : {Vec3(0.3 * cell, 0.1 * cell, z), Vec3(0.5 * cell, 0, z),
+                             Vec3(0.5 * cell, 0.5 * cell, z), Vec3(0, 0, z)}) {
+        SCOPED_TRACE(testing::Message()
+                     << n << (crossed ? " crossed" : "") << " at " << at.transpose());
         dem::World const world = grain_over(n, crossed, at, Vec3::Zero(), Vec3::Zero());
         EXPECT_TRUE(near::relative(world.grains.force[0].z(), expected, 1e-13));
         EXPECT_LE(world.grains.force[0].head<2>().norm(), 1e-13 * expected);
@@ -59,7 +62,8 @@ TEST(Facets, DoNotShakeAGrainThatSlidesAndRollsOverTheirEdges) {
     x.add(fine.grains.position[0], whole.grains.position[0]);
     tool.add(fine.tools[0].force, whole.tools[0].force);
   }
-  EXPECT_GT((whole.grains.position[0] - start).norm(), 2e-3) << "it must cross several cells of 0.4 mm";
+  EXPECT_GT((whole.grains.position[0] - start).norm(), 2e-3)
+      << "it must cross several cells of 0.4 mm";
   EXPECT_TRUE(F.within(1e-11));
   EXPECT_TRUE(T.within(1e-11));
   EXPECT_TRUE(x.within(1e-11));
@@ -67,8 +71,10 @@ TEST(Facets, DoNotShakeAGrainThatSlidesAndRollsOverTheirEdges) {
 }
 
 TEST(Facets, OfTheRimPushOnceAndOutwards) {
-  // Half over the edge of the punch: the closest point is on the rim, the force points from there to the centre.
-  dem::World const world = grain_over(3, false, Vec3(6e-3 + 0.2e-3, 0, 0.4e-3), Vec3::Zero(), Vec3::Zero());
+  // Half over the edge of the punch: the closest point is on the rim, the force points from there
+  // to the centre.
+  dem::World const world =
+      grain_over(3, false, Vec3(6e-3 + 0.2e-3, 0, 0.4e-3), Vec3::Zero(), Vec3::Zero());
   auto const contacts = dem::list_contacts(world);
   ASSERT_EQ(contacts.size(), 1u);
   Vec3 const outwards = Vec3(0.2, 0, 0.4).normalized();
@@ -76,4 +82,4 @@ TEST(Facets, OfTheRimPushOnceAndOutwards) {
   EXPECT_TRUE(near::relative(contacts[0].overlap, 0.5e-3 - std::hypot(0.2e-3, 0.4e-3), 1e-12));
 }
 
-}  // namespace
+} // namespace

@@ -7,14 +7,17 @@
 #include <numeric>
 #include <random>
 
-/// Symmetries that every pair law must have, on a crowded cloud of unequal cohesive grains with spins.
+/// Symmetries that every pair law must have, on a crowded cloud of unequal cohesive grains with
+/// spins.
 namespace {
 
 using dem::Vec3;
 
 build::Recipe recipe() {
   build::Recipe r;
-  r.grain_grain = {.restitution = 0.5, .static_friction = 0.4, .rolling_friction = 0.02,
+  r.grain_grain = {.restitution = 0.5,
+                   .static_friction = 0.4,
+                   .rolling_friction = 0.02,
                    .cohesion_energy_density = 2e6};
   r.grain_wall = r.grain_grain;
   r.law.rolling = "constant_torque";
@@ -24,14 +27,19 @@ build::Recipe recipe() {
 
 dem::World cloud() {
   dem::World world = build::empty_world(recipe());
-  build::add_cloud(world, {.n_grains = 200, .smallest = 0.15e-3, .largest = 0.6e-3,
-                           .high = Vec3::Constant(3.5e-3), .speed = 0.5, .seed = 7});
+  build::add_cloud(world, {.n_grains = 200,
+                           .smallest = 0.15e-3,
+                           .largest = 0.6e-3,
+                           .high = Vec3::Constant(3.5e-3),
+                           .speed = 0.5,
+                           .seed = 7});
   return world;
 }
 
 void run(dem::World& world, int steps = 200, double dt = 2e-7) {
   dem::prepare(world);
-  for (int k = 0; k < steps; ++k) dem::advance(world, dt);
+  for (int k = 0; k < steps; ++k)
+    dem::advance(world, dt);
 }
 
 /// Compares every grain of `b`, put through `image`, with the same grain of `a`.
@@ -71,12 +79,16 @@ struct Orthogonal {
 };
 
 void transform(dem::World& world, Orthogonal const& map) {
-  for (Vec3& x : world.grains.position) x = map.point(x);
-  for (Vec3& v : world.grains.velocity) v = map.polar(v);
-  for (Vec3& w : world.grains.spin) w = map.axial(w);
+  for (Vec3& x : world.grains.position)
+    x = map.point(x);
+  for (Vec3& v : world.grains.velocity)
+    v = map.polar(v);
+  for (Vec3& w : world.grains.spin)
+    w = map.axial(w);
 }
 
-// Rounding of 1e-16 grows with the collisions of a dissipative cloud; 200 steps amplify it by some thousands.
+// Rounding of 1e-16 grows with the collisions of a dissipative cloud; 200 steps amplify it by some
+// thousands.
 constexpr double rounding = 1e-10;
 
 TEST(Momentum, IsKeptByInternalForces) {
@@ -104,11 +116,12 @@ TEST(Momentum, IsKeptByInternalForces) {
 }
 
 TEST(AngularMomentum, ChangesOnlyByTheLeverConvention) {
-  // Levers Ri - d/2 and Rj - d/2 sum to the distance of the centres: x_i - x_j = (c_i + c_j) n, so the torques and
-  // the couple of the forces cancel exactly, pair by pair.
+  // Levers Ri - d/2 and Rj - d/2 sum to the distance of the centres: x_i - x_j = (c_i + c_j) n, so
+  // the torques and the couple of the forces cancel exactly, pair by pair.
   dem::World world = cloud();
   dem::prepare(world);
-  for (int k = 0; k < 50; ++k) dem::advance(world, 2e-7);
+  for (int k = 0; k < 50; ++k)
+    dem::advance(world, 2e-7);
   Vec3 couple = Vec3::Zero();
   double scale = 0.0;
   for (std::size_t i = 0; i < world.grains.size(); ++i) {
@@ -121,8 +134,9 @@ TEST(AngularMomentum, ChangesOnlyByTheLeverConvention) {
 
 TEST(Invariance, UnderAMovingFrame) {
   dem::World rest = cloud(), moving = cloud();
-  Vec3 const drift(1.5, -0.7, 0.9);  // [m/s], several times the grains' own speeds
-  for (Vec3& v : moving.grains.velocity) v += drift;
+  Vec3 const drift(1.5, -0.7, 0.9); // [m/s], several times the grains' own speeds
+  for (Vec3& v : moving.grains.velocity)
+    v += drift;
   run(rest);
   run(moving);
   struct {
@@ -181,12 +195,14 @@ TEST(Invariance, OfARotatedPress) {
   transform(b, turn);
   Vec3 const drive(0.05, 0.02, 2.0);
   build::add_plane(a, nullptr, Vec3(0, 0, 0.1e-3), Vec3::UnitZ(), drive, 20e-3);
-  build::add_plane(b, nullptr, turn.point(Vec3(0, 0, 0.1e-3)), turn.polar(Vec3::UnitZ()), turn.polar(drive), 20e-3);
+  build::add_plane(b, nullptr, turn.point(Vec3(0, 0, 0.1e-3)), turn.polar(Vec3::UnitZ()),
+                   turn.polar(drive), 20e-3);
   run(a);
   run(b);
   expect_same(a, b, turn.inverse(), rounding);
   EXPECT_GT(a.tools[0].force.norm(), 0.0);
-  EXPECT_LE((turn.inverse().polar(b.tools[0].force) - a.tools[0].force).norm(), rounding * a.tools[0].force.norm());
+  EXPECT_LE((turn.inverse().polar(b.tools[0].force) - a.tools[0].force).norm(),
+            rounding * a.tools[0].force.norm());
 }
 
-}  // namespace
+} // namespace

@@ -43,12 +43,16 @@ struct Comparison {
 
 class SizeRatio : public ::testing::TestWithParam<double> {};
 
-// A bed whose largest grain is 1, 6, 20, 40 times the smallest: every force at rest in one evaluation, no motion.
+// A bed whose largest grain is 1, 6, 20, 40 times the smallest: every force at rest in one
+// evaluation, no motion.
 TEST_P(SizeRatio, ForcesEqualThoseOfAllPairs) {
   dem::World world = build::empty_world(recipe());
   double const small = 0.1e-3;
-  build::add_cloud(world, {.n_grains = 1200, .smallest = small, .largest = GetParam() * small,
-                           .high = Vec3::Constant((3.0 + 1.5 * GetParam()) * 1e-3 * 0.4), .relative_overlap = 0.2});
+  build::add_cloud(world, {.n_grains = 1200,
+                           .smallest = small,
+                           .largest = GetParam() * small,
+                           .high = Vec3::Constant((3.0 + 1.5 * GetParam()) * 1e-3 * 0.4),
+                           .relative_overlap = 0.2});
   oracle::System system = build::mirror(world, recipe());
   dem::prepare(world);
   system.gather(0);
@@ -59,17 +63,22 @@ TEST_P(SizeRatio, ForcesEqualThoseOfAllPairs) {
 }
 INSTANTIATE_TEST_SUITE_P(Bed, SizeRatio, ::testing::Values(1.0, 6.0, 20.0, 40.0));
 
-// Grains fly through several list lifetimes in a closed box: a contact found late, lost early, or with its history
-// dropped at a rebuild shows as a force error of order one.
+// Grains fly through several list lifetimes in a closed box: a contact found late, lost early, or
+// with its history dropped at a rebuild shows as a force error of order one.
 TEST(NeighbourLists, FindEveryContactOfAnAgitatedBox) {
   dem::World world = build::empty_world(recipe());
   double const side = 4e-3;
-  build::add_cloud(world, {.n_grains = 150, .smallest = 0.1e-3, .largest = 0.8e-3, .high = Vec3::Constant(side),
-                           .relative_overlap = 0.0, .speed = 3.0});
+  build::add_cloud(world, {.n_grains = 150,
+                           .smallest = 0.1e-3,
+                           .largest = 0.8e-3,
+                           .high = Vec3::Constant(side),
+                           .relative_overlap = 0.0,
+                           .speed = 3.0});
   oracle::System system = build::mirror(world, recipe());
   for (int axis = 0; axis < 3; ++axis) {
     Vec3 const normal = Vec3::Unit(axis);
-    build::add_plane(world, &system, Vec3::Constant(0.5 * side) - 0.5 * side * normal, normal, Vec3::Zero(), 3 * side);
+    build::add_plane(world, &system, Vec3::Constant(0.5 * side) - 0.5 * side * normal, normal,
+                     Vec3::Zero(), 3 * side);
     build::add_plane(world, &system, Vec3::Constant(0.5 * side) + 0.5 * side * normal, -normal,
                      -0.5 * normal, 3 * side, 2);
   }
@@ -92,10 +101,16 @@ TEST(NeighbourLists, FollowOneFastGrainThroughARestingBed) {
   build::Recipe r = recipe();
   r.gravity.setZero();
   dem::World world = build::empty_world(r);
-  build::add_cloud(world, {.n_grains = 200, .smallest = 0.2e-3, .largest = 0.4e-3, .high = Vec3::Constant(5e-3),
-                           .relative_overlap = 0.0, .speed = 0.0, .spin = 0.0});
+  build::add_cloud(world, {.n_grains = 200,
+                           .smallest = 0.2e-3,
+                           .largest = 0.4e-3,
+                           .high = Vec3::Constant(5e-3),
+                           .relative_overlap = 0.0,
+                           .speed = 0.0,
+                           .spin = 0.0});
   double const R = 0.15e-3;
-  world.grains.add(Vec3(-1e-3, 2.4e-3, 2.6e-3), R, r.grain.density, 0, Vec3(40, 0.5, -0.3), Vec3(0, 4e4, 0));
+  world.grains.add(Vec3(-1e-3, 2.4e-3, 2.6e-3), R, r.grain.density, 0, Vec3(40, 0.5, -0.3),
+                   Vec3(0, 4e4, 0));
   oracle::System system = build::mirror(world, r);
   dem::prepare(world);
   system.gather(0);
@@ -117,11 +132,16 @@ TEST(ManyGrains, FollowTheOracleWhilePressed) {
   r.grain_wall.cohesion_energy_density = 5e5;
   dem::World world = build::empty_world(r);
   double const side = 4e-3;
-  build::add_cloud(world, {.n_grains = 400, .smallest = 0.15e-3, .largest = 0.6e-3, .high = Vec3::Constant(side),
+  build::add_cloud(world, {.n_grains = 400,
+                           .smallest = 0.15e-3,
+                           .largest = 0.6e-3,
+                           .high = Vec3::Constant(side),
                            .relative_overlap = 0.05});
   oracle::System system = build::mirror(world, r);
-  build::add_plane(world, &system, Vec3(side / 2, side / 2, 0), Vec3::UnitZ(), Vec3(0.1, 0, 0.5), 5 * side, 3);
-  build::add_plane(world, &system, Vec3(side / 2, side / 2, side), -Vec3::UnitZ(), Vec3(0, -0.1, -0.5), 5 * side);
+  build::add_plane(world, &system, Vec3(side / 2, side / 2, 0), Vec3::UnitZ(), Vec3(0.1, 0, 0.5),
+                   5 * side, 3);
+  build::add_plane(world, &system, Vec3(side / 2, side / 2, side), -Vec3::UnitZ(),
+                   Vec3(0, -0.1, -0.5), 5 * side);
   dem::prepare(world);
   system.gather(0);
   Comparison comparison;
@@ -130,10 +150,11 @@ TEST(ManyGrains, FollowTheOracleWhilePressed) {
     dem::advance(world, 2e-7);
     system.step(2e-7);
     comparison.add(world, system);
-    for (std::size_t t = 0; t < 2; ++t) tools.add(world.tools[t].force, system.planes[t].F.cast<double>());
+    for (std::size_t t = 0; t < 2; ++t)
+      tools.add(world.tools[t].force, system.planes[t].F.cast<double>());
   }
   comparison.expect_within(1e-9);
   EXPECT_TRUE(tools.within(1e-9));
 }
 
-}  // namespace
+} // namespace

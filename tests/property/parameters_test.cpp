@@ -6,8 +6,8 @@
 #include <ostream>
 #include <string>
 
-/// Every parameter of materials, interactions and laws moves the outcome: a parameter that is read and then ignored
-/// would pass every other test.
+/// Every parameter of materials, interactions and laws moves the outcome: a parameter that is read
+/// and then ignored would pass every other test.
 namespace {
 
 using dem::Vec3;
@@ -16,7 +16,7 @@ using R = build::Recipe&;
 struct Knob {
   std::string name;
   std::function<void(R)> turn;
-  std::function<void(R)> before = [](R) {};  ///< what the knob needs to have a say, in both runs
+  std::function<void(R)> before = [](R) {}; ///< what the knob needs to have a say, in both runs
 
   friend std::ostream& operator<<(std::ostream& out, Knob const& knob) { return out << knob.name; }
 };
@@ -29,7 +29,9 @@ void use_jkr(R r) {
   r.law.normal = "jkr";
   r.law.cohesion = "none";
 }
-void use_rolling(R r) { r.law.rolling = "constant_torque"; }
+void use_rolling(R r) {
+  r.law.rolling = "constant_torque";
+}
 
 std::vector<Knob> knobs() {
   return {
@@ -40,12 +42,14 @@ std::vector<Knob> knobs() {
       {"wall_poisson_ratio", [](R r) { r.wall.poisson_ratio = 0.35; }},
       {"grain_grain_restitution", [](R r) { r.grain_grain.restitution = 0.6; }},
       {"grain_grain_static_friction", [](R r) { r.grain_grain.static_friction *= 0.5; }},
-      {"grain_grain_rolling_friction", [](R r) { r.grain_grain.rolling_friction *= 2.0; }, use_rolling},
+      {"grain_grain_rolling_friction", [](R r) { r.grain_grain.rolling_friction *= 2.0; },
+       use_rolling},
       {"grain_grain_cohesion", [](R r) { r.grain_grain.cohesion_energy_density *= 1.1; }},
       {"grain_grain_surface_energy", [](R r) { r.grain_grain.surface_energy *= 1.1; }, use_jkr},
       {"grain_wall_restitution", [](R r) { r.grain_wall.restitution = 0.6; }},
       {"grain_wall_static_friction", [](R r) { r.grain_wall.static_friction *= 0.5; }},
-      {"grain_wall_rolling_friction", [](R r) { r.grain_wall.rolling_friction *= 2.0; }, use_rolling},
+      {"grain_wall_rolling_friction", [](R r) { r.grain_wall.rolling_friction *= 2.0; },
+       use_rolling},
       {"grain_wall_cohesion", [](R r) { r.grain_wall.cohesion_energy_density *= 1.1; }},
       {"grain_wall_surface_energy", [](R r) { r.grain_wall.surface_energy *= 1.1; }, use_jkr},
       {"normal_hooke", use_hooke},
@@ -70,14 +74,21 @@ std::vector<Knob> knobs() {
   };
 }
 
-/// A few dozen grains meet each other and a moving plate, obliquely and spinning, and some part again.
+/// A few dozen grains meet each other and a moving plate, obliquely and spinning, and some part
+/// again.
 dem::World outcome(build::Recipe const& recipe) {
   dem::World world = build::empty_world(recipe);
-  build::add_cloud(world, {.n_grains = 40, .smallest = 0.25e-3, .largest = 0.5e-3, .high = Vec3::Constant(2.2e-3),
-                           .relative_overlap = 0.03, .speed = 0.6});
-  build::add_plane(world, nullptr, Vec3(1e-3, 1e-3, 0.1e-3), Vec3::UnitZ(), Vec3(0.1, 0, 0.3), 10e-3);
+  build::add_cloud(world, {.n_grains = 40,
+                           .smallest = 0.25e-3,
+                           .largest = 0.5e-3,
+                           .high = Vec3::Constant(2.2e-3),
+                           .relative_overlap = 0.03,
+                           .speed = 0.6});
+  build::add_plane(world, nullptr, Vec3(1e-3, 1e-3, 0.1e-3), Vec3::UnitZ(), Vec3(0.1, 0, 0.3),
+                   10e-3);
   dem::prepare(world);
-  for (int k = 0; k < 400; ++k) dem::advance(world, 4e-7);
+  for (int k = 0; k < 400; ++k)
+    dem::advance(world, 4e-7);
   return world;
 }
 
@@ -85,8 +96,11 @@ class Parameter : public ::testing::TestWithParam<Knob> {};
 
 TEST_P(Parameter, MovesTheOutcome) {
   build::Recipe base;
-  base.grain_grain = {.restitution = 0.5, .static_friction = 0.3, .rolling_friction = 0.05,
-                      .cohesion_energy_density = 2e6, .surface_energy = 1.0};
+  base.grain_grain = {.restitution = 0.5,
+                      .static_friction = 0.3,
+                      .rolling_friction = 0.05,
+                      .cohesion_energy_density = 2e6,
+                      .surface_energy = 1.0};
   base.grain_wall = base.grain_grain;
   base.law.precision = dem::Precision::full;
   GetParam().before(base);
@@ -108,4 +122,4 @@ TEST_P(Parameter, MovesTheOutcome) {
 INSTANTIATE_TEST_SUITE_P(Every, Parameter, ::testing::ValuesIn(knobs()),
                          [](auto const& p) { return p.param.name; });
 
-}  // namespace
+} // namespace

@@ -8,9 +8,9 @@
 namespace program {
 
 struct Outcome {
-  int status;          ///< exit status; 128 + signal if it was killed
-  std::string out;     ///< standard output
-  std::string error;   ///< standard error
+  int status;        ///< exit status; 128 + signal if it was killed
+  std::string out;   ///< standard output
+  std::string error; ///< standard error
 };
 
 /// A running presscheck whose standard error can be followed.
@@ -30,8 +30,8 @@ private:
   bool read_error();
 
   int process_ = -1;
-  int out_ = -1;     // the file that collects standard output, unlinked
-  int error_ = -1;   // reading end of a pipe
+  int out_ = -1;   // the file that collects standard output, unlinked
+  int error_ = -1; // reading end of a pipe
   std::string error_text_;
 };
 
@@ -43,4 +43,4 @@ Outcome run_after(std::string const& preparation, std::vector<std::string> const
 /// tests/regression/tiny/case.prm
 std::string tiny_case();
 
-}  // namespace program
+} // namespace program

@@ -23,10 +23,11 @@ void expect_same_bits(fs::path const& a, fs::path const& b) {
   EXPECT_TRUE(bytes_of(a / "grains.pvd") == bytes_of(b / "grains.pvd"));
   int n_pictures = 0;
   for (auto const& entry : fs::directory_iterator(a / "snapshots")) {
-    EXPECT_TRUE(bytes_of(entry.path()) == bytes_of(b / "snapshots" / entry.path().filename())) << entry.path();
+    EXPECT_TRUE(bytes_of(entry.path()) == bytes_of(b / "snapshots" / entry.path().filename()))
+        << entry.path();
     ++n_pictures;
   }
-  EXPECT_GE(n_pictures, 30);  // 12 of grains and tools for ParaView, 12 frames
+  EXPECT_GE(n_pictures, 30); // 12 of grains and tools for ParaView, 12 frames
   auto const last = coupling::read_grains(a / "run.h5");
   auto const other = coupling::read_grains(b / "run.h5");
   EXPECT_TRUE(last.position == other.position);
@@ -35,13 +36,14 @@ void expect_same_bits(fs::path const& a, fs::path const& b) {
   EXPECT_TRUE(last.force == other.force);
 }
 
-std::vector<std::string> run_into(fs::path const& folder, std::vector<std::string> const& more = {}) {
+std::vector<std::string> run_into(fs::path const& folder,
+                                  std::vector<std::string> const& more = {}) {
   std::vector<std::string> arguments{"run", tiny_case(), "-o", folder.string()};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return arguments;
 }
 
-}  // namespace
+} // namespace
 
 TEST(Restart, AnInterruptedRunGoesOnToTheSameBits) {
   ScratchFolder scratch;
@@ -55,7 +57,8 @@ TEST(Restart, AnInterruptedRunGoesOnToTheSameBits) {
     auto const outcome = running.finish();
     EXPECT_EQ(outcome.status, 130);
     EXPECT_NE(outcome.error.find("interrupted at t ="), std::string::npos) << outcome.error;
-    EXPECT_NE(outcome.error.find("presscheck resume " + folder.string()), std::string::npos) << outcome.error;
+    EXPECT_NE(outcome.error.find("presscheck resume " + folder.string()), std::string::npos)
+        << outcome.error;
     EXPECT_FALSE(fs::exists(folder / "summary.json"));
     ASSERT_EQ(run({"resume", folder.string(), "--quiet", "--threads", "1"}).status, 0);
     expect_same_bits(scratch / "straight", folder);
@@ -67,7 +70,9 @@ TEST(Restart, StageByStageGivesTheSameBits) {
   ASSERT_EQ(run(run_into(scratch / "straight", {"--quiet", "--threads", "1"})).status, 0);
   auto const folder = scratch / "steps";
   ASSERT_EQ(run(run_into(folder, {"--quiet", "--threads", "1", "--until", "loading"})).status, 0);
-  ASSERT_EQ(run({"resume", folder.string(), "--quiet", "--threads", "1", "--until", "release"}).status, 0);
+  ASSERT_EQ(
+      run({"resume", folder.string(), "--quiet", "--threads", "1", "--until", "release"}).status,
+      0);
   ASSERT_EQ(run({"resume", folder.string(), "--quiet", "--threads", "1"}).status, 0);
   expect_same_bits(scratch / "straight", folder);
 }
@@ -75,7 +80,10 @@ TEST(Restart, StageByStageGivesTheSameBits) {
 TEST(Restart, RestartsWrittenOnTheWayChangeNothing) {
   ScratchFolder scratch;
   ASSERT_EQ(run(run_into(scratch / "straight", {"--quiet", "--threads", "1"})).status, 0);
-  ASSERT_EQ(run(run_into(scratch / "often", {"--quiet", "--threads", "1", "--set", "Output/Restart interval=20 ms"})).status, 0);
+  ASSERT_EQ(run(run_into(scratch / "often",
+                         {"--quiet", "--threads", "1", "--set", "Output/Restart interval=20 ms"}))
+                .status,
+            0);
   expect_same_bits(scratch / "straight", scratch / "often");
 }
 

@@ -11,12 +11,14 @@ namespace near {
 /// |value - expected| <= relative |expected|, both sides.
 inline ::testing::AssertionResult relative(double value, double expected, double tolerance) {
   double const error = std::abs(value - expected);
-  if (error <= tolerance * std::abs(expected)) return ::testing::AssertionSuccess();
+  if (error <= tolerance * std::abs(expected))
+    return ::testing::AssertionSuccess();
   return ::testing::AssertionFailure() << value << " against " << expected << ": relative error "
                                        << error / std::abs(expected) << " > " << tolerance;
 }
 
-/// Largest deviation of a series against its own largest expected value, the measure of the acceptance table.
+/// Largest deviation of a series against its own largest expected value, the measure of the
+/// acceptance table.
 class LargestDeviation {
 public:
   explicit LargestDeviation(std::string quantity) : quantity_(std::move(quantity)) {}
@@ -30,11 +32,12 @@ public:
 
   /// @param floor  a scale [of the quantity] below which a vanishing quantity counts as zero
   ::testing::AssertionResult within(double tolerance, double floor = 0.0) const {
-    if (finite_ && deviation_ <= tolerance * std::max(largest_, floor)) return ::testing::AssertionSuccess();
+    if (finite_ && deviation_ <= tolerance * std::max(largest_, floor))
+      return ::testing::AssertionSuccess();
     return ::testing::AssertionFailure()
            << quantity_ << " deviates by " << deviation_ << ", " << deviation_ / largest_
-           << " of its largest value " << largest_ << (finite_ ? "" : " (not finite)") << "; allowed "
-           << tolerance;
+           << " of its largest value " << largest_ << (finite_ ? "" : " (not finite)")
+           << "; allowed " << tolerance;
   }
 
   double ratio() const { return largest_ > 0.0 ? deviation_ / largest_ : deviation_; }
@@ -46,4 +49,4 @@ private:
   bool finite_ = true;
 };
 
-}  // namespace near
+} // namespace near

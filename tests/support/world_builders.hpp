@@ -21,15 +21,19 @@ using coupling::verification::row_of;
 using coupling::verification::turned;
 
 inline oracle::Cohesion cohesion_named(std::string const& name) {
-  if (name == "sjkr") return oracle::Cohesion::sjkr;
-  if (name == "sjkr2") return oracle::Cohesion::sjkr2;
-  if (name == "linear_reduced") return oracle::Cohesion::linear_reduced;
-  if (name == "linear_hertz_circle") return oracle::Cohesion::linear_hertz_circle;
+  if (name == "sjkr")
+    return oracle::Cohesion::sjkr;
+  if (name == "sjkr2")
+    return oracle::Cohesion::sjkr2;
+  if (name == "linear_reduced")
+    return oracle::Cohesion::linear_reduced;
+  if (name == "linear_hertz_circle")
+    return oracle::Cohesion::linear_hertz_circle;
   return oracle::Cohesion::none;
 }
 
-inline oracle::Law law_of(dem::ContactChoice const& choice, dem::Material const& i, dem::Material const& j,
-                          dem::Interaction const& interaction) {
+inline oracle::Law law_of(dem::ContactChoice const& choice, dem::Material const& i,
+                          dem::Material const& j, dem::Interaction const& interaction) {
   return {.i = {i.young_modulus, i.poisson_ratio},
           .j = {j.young_modulus, j.poisson_ratio},
           .restitution = interaction.restitution,
@@ -46,8 +50,8 @@ inline oracle::Law law_of(dem::ContactChoice const& choice, dem::Material const&
           .characteristic_velocity = choice.characteristic_velocity};
 }
 
-/// The oracle's picture of a world's grains, in the order of their ids. Planes are added by the caller, because
-/// the oracle must not trust the surface code.
+/// The oracle's picture of a world's grains, in the order of their ids. Planes are added by the
+/// caller, because the oracle must not trust the surface code.
 inline oracle::System mirror(dem::World const& world, Recipe const& recipe) {
   oracle::System system;
   system.gravity = world.gravity.cast<oracle::Real>();
@@ -65,7 +69,8 @@ inline oracle::System mirror(dem::World const& world, Recipe const& recipe) {
   return system;
 }
 
-/// A plate as tool and as the oracle's plane: its face has unit normal `normal` and passes through `point`.
+/// A plate as tool and as the oracle's plane: its face has unit normal `normal` and passes through
+/// `point`.
 inline void add_plane(dem::World& world, oracle::System* system, dem::Vec3 const& point,
                       dem::Vec3 const& normal, dem::Vec3 const& velocity, double half_width,
                       int n_cells = 1) {
@@ -82,21 +87,24 @@ inline void add_plane(dem::World& world, oracle::System* system, dem::Vec3 const
 
 struct Cloud {
   int n_grains = 300;
-  double smallest = 0.25e-3;      ///< [m], radius
-  double largest = 0.25e-3;       ///< [m], radius
+  double smallest = 0.25e-3; ///< [m], radius
+  double largest = 0.25e-3;  ///< [m], radius
   dem::Vec3 low = dem::Vec3::Zero();
-  dem::Vec3 high = dem::Vec3::Constant(4e-3);  ///< [m], box of the surfaces
-  double relative_overlap = 0.1;  ///< [1], allowed at the start, of the smaller radius
-  double speed = 0.2;             ///< [m/s], largest of a component
-  double spin = 200.0;            ///< [rad/s], largest of a component
+  dem::Vec3 high = dem::Vec3::Constant(4e-3); ///< [m], box of the surfaces
+  double relative_overlap = 0.1;              ///< [1], allowed at the start, of the smaller radius
+  double speed = 0.2;                         ///< [m/s], largest of a component
+  double spin = 200.0;                        ///< [rad/s], largest of a component
   std::uint64_t seed = 1;
 };
 
-/// Grains at random places of a box, log-uniform radii, random velocities and spins. Gives up adding after many
-/// vain tries, so the number of grains may be smaller than asked for in a crowded box.
+/// Grains at random places of a box, log-uniform radii, random velocities and spins. Gives up
+/// adding after many vain tries, so the number of grains may be smaller than asked for in a crowded
+/// box.
 inline void add_cloud(dem::World& world, Cloud const& cloud) {
   std::mt19937_64 random(cloud.seed);
-  auto const uniform = [&](double a, double b) { return std::uniform_real_distribution<double>(a, b)(random); };
+  auto const uniform = [&](double a, double b) {
+    return std::uniform_real_distribution<double>(a, b)(random);
+  };
   auto const any = [&](double size) {
     return dem::Vec3(uniform(-size, size), uniform(-size, size), uniform(-size, size));
   };
@@ -116,11 +124,12 @@ inline void add_cloud(dem::World& world, Cloud const& cloud) {
         double const allowed = cloud.relative_overlap * std::min(R, world.grains.radius[k]);
         free = (x - world.grains.position[k]).norm() > R + world.grains.radius[k] - allowed;
       }
-      if (!free) continue;
+      if (!free)
+        continue;
       world.grains.add(x, R, density, 0, any(cloud.speed), any(cloud.spin));
       break;
     }
   }
 }
 
-}  // namespace build
+} // namespace build

@@ -17,7 +17,8 @@ using namespace coupling::verification;
 
 std::vector<std::string> experiment_names() {
   std::vector<std::string> names;
-  for (Experiment const& experiment : all_experiments()) names.push_back(experiment.name);
+  for (Experiment const& experiment : all_experiments())
+    names.push_back(experiment.name);
   return names;
 }
 
@@ -26,22 +27,26 @@ class Verification : public ::testing::TestWithParam<std::string> {};
 // What `presscheck verify` shows to a user must hold in every build.
 TEST_P(Verification, HoldsItsTolerances) {
   for (Experiment const& experiment : all_experiments()) {
-    if (experiment.name != GetParam()) continue;
+    if (experiment.name != GetParam())
+      continue;
     for (Benchmark const& row : experiment.run()) {
-      EXPECT_TRUE(row.ok) << row.name << ": " << row.result << " against " << row.reference << ", error " << row.error
-                          << " > " << row.tolerance;
-      EXPECT_TRUE(row.name.starts_with(experiment.name.substr(0, experiment.name.find('/')))) << row.name;
+      EXPECT_TRUE(row.ok) << row.name << ": " << row.result << " against " << row.reference
+                          << ", error " << row.error << " > " << row.tolerance;
+      EXPECT_TRUE(row.name.starts_with(experiment.name.substr(0, experiment.name.find('/'))))
+          << row.name;
       EXPECT_FALSE(row.source.empty()) << row.name;
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Rows, Verification, ::testing::ValuesIn(experiment_names()), [](auto const& p) {
-  std::string name = p.param;
-  for (char& c : name) {
-    if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
-  }
-  return name;
-});
+INSTANTIATE_TEST_SUITE_P(Rows, Verification, ::testing::ValuesIn(experiment_names()),
+                         [](auto const& p) {
+                           std::string name = p.param;
+                           for (char& c : name) {
+                             if (!std::isalnum(static_cast<unsigned char>(c)))
+                               c = '_';
+                           }
+                           return name;
+                         });
 
 TEST(Compare, FailsOnNanAndJudgesZeroAbsolutely) {
   EXPECT_FALSE(compare("a", 1.0, std::nan(""), 1e9, "s").ok);
@@ -55,7 +60,8 @@ TEST(RunBenchmarks, FiltersByPartOfTheRowsName) {
   auto const rows = run_benchmarks("free_fall");
   ASSERT_EQ(rows.size(), 3u);
   std::set<std::string> names;
-  for (Benchmark const& row : rows) names.insert(row.name);
+  for (Benchmark const& row : rows)
+    names.insert(row.name);
   EXPECT_EQ(names.size(), rows.size());
   EXPECT_EQ(run_benchmarks("free_fall/position").size(), 1u);
   EXPECT_TRUE(run_benchmarks("no such thing").empty());
@@ -64,8 +70,9 @@ TEST(RunBenchmarks, FiltersByPartOfTheRowsName) {
 TEST(VerificationFiles, HoldWhatTheContractSays) {
   auto const folder = std::filesystem::temp_directory_path() / "presscheck_verify_test";
   std::filesystem::create_directories(folder);
-  std::vector<Benchmark> const rows{compare("one", 2.0, 2.0, 1e-3, "<script>alert(1)</script> & \"quotes\""),
-                                    compare("lost", 1.0, std::nan(""), 1e-3, "nowhere")};
+  std::vector<Benchmark> const rows{
+      compare("one", 2.0, 2.0, 1e-3, "<script>alert(1)</script> & \"quotes\""),
+      compare("lost", 1.0, std::nan(""), 1e-3, "nowhere")};
   write_json(rows, folder / "verification.json");
   write_html(rows, folder / "verification.html");
   auto const list = nlohmann::json::parse(std::ifstream(folder / "verification.json"));
@@ -86,4 +93,4 @@ TEST(VerificationFiles, HoldWhatTheContractSays) {
   EXPECT_THROW(write_json(rows, folder / "verification.json"), dem::InvalidInput);
 }
 
-}  // namespace
+} // namespace

@@ -11,21 +11,23 @@
 namespace dem {
 
 /// Hertz contact with the dashpot of Tsuji:
-///   F = 4/3 E* sqrt(R* d) d - gamma v_n,   gamma = -2 sqrt(5/6) beta sqrt(S_n m*),   S_n = 2 E* sqrt(R* d)
+///   F = 4/3 E* sqrt(R* d) d - gamma v_n,   gamma = -2 sqrt(5/6) beta sqrt(S_n m*),   S_n = 2 E*
+///   sqrt(R* d)
 /// Holds while the contact radius is small against the grain radius.
-/// Source: Johnson, Contact Mechanics (1985), 4.22-4.24; Tsuji, Tanaka and Ishida, Powder Technol. 71 (1992) 239.
+/// Source: Johnson, Contact Mechanics (1985), 4.22-4.24; Tsuji, Tanaka and Ishida, Powder Technol.
+/// 71 (1992) 239.
 struct Hertz {
   static constexpr std::string_view name = "hertz";
   static constexpr bool has_memory = false;
 
-  template <class N>
-  struct Constants {
-    N stiffness;  ///< 4/3 E* sqrt(R*)  [N/m^(3/2)]
-    N damping;    ///< -2 sqrt(5/6) beta sqrt(2 E* sqrt(R*) m*)  [kg/s/m^(1/4)]
+  template <class N> struct Constants {
+    N stiffness; ///< 4/3 E* sqrt(R*)  [N/m^(3/2)]
+    N damping;   ///< -2 sqrt(5/6) beta sqrt(2 E* sqrt(R*) m*)  [kg/s/m^(1/4)]
   };
   static constexpr int n_constants = 2;
 
-  static Constants<double> constants(PairMaterial const& pair, PairSize const& size, ContactChoice const&) {
+  static Constants<double> constants(PairMaterial const& pair, PairSize const& size,
+                                     ContactChoice const&) {
     double const stiffness = 2.0 * pair.effective_modulus * std::sqrt(size.effective_radius);
     return {.stiffness = 2.0 / 3.0 * stiffness,
             .damping = -2.0 * std::sqrt(5.0 / 6.0) * pair.damping_ratio *
@@ -56,4 +58,4 @@ struct Hertz {
   }
 };
 
-}  // namespace dem
+} // namespace dem

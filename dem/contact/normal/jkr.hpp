@@ -11,27 +11,27 @@
 
 namespace dem {
 
-/// Adhesive contact of Johnson, Kendall and Roberts with the dashpot of Hertz. With the contact radius a and the
-/// work of adhesion w:
+/// Adhesive contact of Johnson, Kendall and Roberts with the dashpot of Hertz. With the contact
+/// radius a and the work of adhesion w:
 ///   d = a^2/R* - sqrt(2 pi w a / E*),    F = 4 E* a^3 / (3 R*) - sqrt(8 pi w E* a^3)
 /// Touches at d = 0 and holds on while parting until d = -reach, where the pull-off branch ends.
 /// Source: Johnson, Kendall and Roberts, Proc. R. Soc. A 324 (1971) 301; reach from dd/da = 0.
 struct Jkr {
   static constexpr std::string_view name = "jkr";
-  static constexpr bool has_memory = true;  ///< 1 once the grains have touched, 0 before
+  static constexpr bool has_memory = true; ///< 1 once the grains have touched, 0 before
 
-  template <class N>
-  struct Constants {
-    N radius;      ///< R* [m]
-    N modulus;     ///< E* [Pa]
-    N adhesion;    ///< s = sqrt(2 pi w / E*)  [m^(1/2)]
-    N zero_load;   ///< sqrt(a) at d = 0:  (R* s)^(1/3)  [m^(1/2)]
-    N reach;       ///< 3/4 (R* s^4 / 4)^(1/3): minus the smallest d on the branch [m]
-    N damping;     ///< as Hertz [kg/s/m^(1/4)]
+  template <class N> struct Constants {
+    N radius;    ///< R* [m]
+    N modulus;   ///< E* [Pa]
+    N adhesion;  ///< s = sqrt(2 pi w / E*)  [m^(1/2)]
+    N zero_load; ///< sqrt(a) at d = 0:  (R* s)^(1/3)  [m^(1/2)]
+    N reach;     ///< 3/4 (R* s^4 / 4)^(1/3): minus the smallest d on the branch [m]
+    N damping;   ///< as Hertz [kg/s/m^(1/4)]
   };
   static constexpr int n_constants = 6;
 
-  static Constants<double> constants(PairMaterial const& pair, PairSize const& size, ContactChoice const&) {
+  static Constants<double> constants(PairMaterial const& pair, PairSize const& size,
+                                     ContactChoice const&) {
     double const stiffness = 2.0 * pair.effective_modulus * std::sqrt(size.effective_radius);
     double const s = std::sqrt(2.0 * pi * pair.interaction.surface_energy / pair.effective_modulus);
     return {.radius = size.effective_radius,
@@ -46,10 +46,10 @@ struct Jkr {
   /// Distance [m] beyond touch at which the law still acts.
   static double reach(Constants<double> const& c) { return c.reach; }
 
-  /// sqrt(a) from d: the larger root x of x^4/R* - s x - d = 0, by Newton from above, where the curve is convex and
-  /// the iteration falls monotonically. (R* s)^(1/3) + (R* d)^(1/4) lies above the root for every d.
-  template <class N>
-  static N root_contact_radius(Constants<N> const& c, N const& overlap) {
+  /// sqrt(a) from d: the larger root x of x^4/R* - s x - d = 0, by Newton from above, where the
+  /// curve is convex and the iteration falls monotonically. (R* s)^(1/3) + (R* d)^(1/4) lies above
+  /// the root for every d.
+  template <class N> static N root_contact_radius(Constants<N> const& c, N const& overlap) {
     N x = c.zero_load + square_root(square_root(c.radius * larger(overlap, N(0))));
     for (int k = 0; k < 30; ++k) {
       N const x3 = x * x * x;
@@ -75,17 +75,18 @@ struct Jkr {
   static double energy(Constants<double> const& c, double overlap) {
     double const x = root_contact_radius(c, overlap);
     double const R = c.radius, s = c.adhesion;
-    return c.modulus * (8.0 / 15.0 * std::pow(x, 10) / (R * R) - 4.0 / 3.0 * s * std::pow(x, 7) / R +
-                        0.5 * s * s * std::pow(x, 4));
+    return c.modulus * (8.0 / 15.0 * std::pow(x, 10) / (R * R) -
+                        4.0 / 3.0 * s * std::pow(x, 7) / R + 0.5 * s * s * std::pow(x, 4));
   }
   static double tangent(Constants<double> const& c, double overlap) {
     double const x = root_contact_radius(c, overlap);
-    double const ratio = c.adhesion * c.radius / (x * x * x);  // 4 at the end of the branch
-    return 2.0 * c.modulus * x * x * std::abs(1.0 - 0.75 * ratio) / std::max(1.0 - 0.25 * ratio, 1e-3);
+    double const ratio = c.adhesion * c.radius / (x * x * x); // 4 at the end of the branch
+    return 2.0 * c.modulus * x * x * std::abs(1.0 - 0.75 * ratio) /
+           std::max(1.0 - 0.25 * ratio, 1e-3);
   }
   static double dashpot(Constants<double> const& c, double overlap) {
     return c.damping * std::sqrt(std::sqrt(std::max(overlap, 0.0)));
   }
 };
 
-}  // namespace dem
+} // namespace dem

@@ -8,17 +8,18 @@
 namespace dem {
 
 /// Constant directional torque against the relative rolling spin:
-///   M = -mu_r R* F_el w/|w|,   w = (w_i - w_j) without its part along the normal,   F_el the elastic normal force
+///   M = -mu_r R* F_el w/|w|,   w = (w_i - w_j) without its part along the normal,   F_el the
+///   elastic normal force
 /// on grain i, and the opposite on j.
-/// Source: Zhou et al., Physica A 269 (1999) 536; Ai et al., Powder Technol. 206 (2011) 269, model A.
+/// Source: Zhou et al., Physica A 269 (1999) 536; Ai et al., Powder Technol. 206 (2011) 269, model
+/// A.
 struct ConstantTorque {
   static constexpr std::string_view name = "constant_torque";
   static constexpr bool resists = true;
   static constexpr int n_constants = 1;
 
-  template <class N>
-  struct Constants {
-    N lever;  ///< mu_r R* [m]
+  template <class N> struct Constants {
+    N lever; ///< mu_r R* [m]
   };
 
   static Constants<double> constants(PairMaterial const& pair, PairSize const& size) {
@@ -34,4 +35,4 @@ struct ConstantTorque {
   }
 };
 
-}  // namespace dem
+} // namespace dem

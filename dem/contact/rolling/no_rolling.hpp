@@ -13,10 +13,9 @@ struct NoRolling {
   static constexpr bool resists = false;
   static constexpr int n_constants = 0;
 
-  template <class N>
-  struct Constants {};
+  template <class N> struct Constants {};
 
   static Constants<double> constants(PairMaterial const&, PairSize const&) { return {}; }
 };
 
-}  // namespace dem
+} // namespace dem

@@ -14,10 +14,11 @@ struct Frictionless {
   static constexpr bool has_spring = false;
   static constexpr int n_constants = 0;
 
-  template <class N>
-  struct Constants {};
+  template <class N> struct Constants {};
 
-  static Constants<double> constants(PairMaterial const&, PairSize const&, ContactChoice const&) { return {}; }
+  static Constants<double> constants(PairMaterial const&, PairSize const&, ContactChoice const&) {
+    return {};
+  }
 };
 
-}  // namespace dem
+} // namespace dem

@@ -17,11 +17,10 @@ struct Mindlin {
   static constexpr bool has_spring = true;
   static constexpr int n_constants = 3;
 
-  template <class N>
-  struct Constants {
-    N stiffness;  ///< 8 G* sqrt(R*)  [N/m^(3/2)]
-    N damping;    ///< -2 sqrt(5/6) beta sqrt(8 G* sqrt(R*) m*)  [kg/s/m^(1/4)]
-    N friction;   ///< mu
+  template <class N> struct Constants {
+    N stiffness; ///< 8 G* sqrt(R*)  [N/m^(3/2)]
+    N damping;   ///< -2 sqrt(5/6) beta sqrt(8 G* sqrt(R*) m*)  [kg/s/m^(1/4)]
+    N friction;  ///< mu
   };
 
   static Constants<double> constants(PairMaterial const& pair, PairSize const& size,
@@ -35,14 +34,12 @@ struct Mindlin {
   }
 
   /// Stiffness [N/m] and dashpot [kg/s] of the present contact; `root` is sqrt(d).
-  template <class N>
-  static N stiffness(Constants<N> const& c, N const& root) {
+  template <class N> static N stiffness(Constants<N> const& c, N const& root) {
     return c.stiffness * root;
   }
-  template <class N>
-  static N dashpot(Constants<N> const& c, N const& root) {
+  template <class N> static N dashpot(Constants<N> const& c, N const& root) {
     return c.damping * square_root(root);
   }
 };
 
-}  // namespace dem
+} // namespace dem

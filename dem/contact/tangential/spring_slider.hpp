@@ -4,24 +4,25 @@
 
 namespace dem {
 
-/// What a tangential law answers: force on grain i [N] and the part of it that the spring carried before this step's
-/// slip increment (for the energy book).
-template <class N>
-struct TangentialForce {
+/// What a tangential law answers: force on grain i [N] and the part of it that the spring carried
+/// before this step's slip increment (for the energy book).
+template <class N> struct TangentialForce {
   Triple<N> force;
-  Triple<N> mean_spring;  ///< mean of the spring force over the step, dashpot excluded [N]
-  Triple<N> dashpot;      ///< [N]
+  Triple<N> mean_spring; ///< mean of the spring force over the step, dashpot excluded [N]
+  Triple<N> dashpot;     ///< [N]
 };
 
 /// The spring, dashpot and slider shared by every tangential law with history.
 ///   1) xi += v_t dt   2) xi -= (xi.n) n   3) F = -k xi with the present k
-///   4) if |k xi| > L:  F scaled to L, xi := -F/k, no dashpot;  else F -= c v_t (the sum is not clipped again)
+///   4) if |k xi| > L:  F scaled to L, xi := -F/k, no dashpot;  else F -= c v_t (the sum is not
+///   clipped again)
 /// The spring turns with the contact by projection; its length is not restored, as in LIGGGHTS.
 /// @param spring  xi [m], changed
 /// @param limit   L = mu |F_lim| [N]
 template <class N>
-TangentialForce<N> spring_slider(N const& stiffness, N const& damping, N const& limit, Triple<N> const& normal,
-                                 Triple<N> const& slip_velocity, N const& dt, Triple<N>& spring) {
+TangentialForce<N> spring_slider(N const& stiffness, N const& damping, N const& limit,
+                                 Triple<N> const& normal, Triple<N> const& slip_velocity,
+                                 N const& dt, Triple<N>& spring) {
   Triple<N> const increment = dt * slip_velocity;
   Triple<N> const stretched = spring + increment;
   Triple<N> const trial = stretched - dot(stretched, normal) * normal;
@@ -37,4 +38,4 @@ TangentialForce<N> spring_slider(N const& stiffness, N const& damping, N const& 
           .dashpot = dashpot};
 }
 
-}  // namespace dem
+} // namespace dem

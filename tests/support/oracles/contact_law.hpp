@@ -9,12 +9,12 @@
 #include <utility>
 #include <vector>
 
-/// An independent restatement of the contact law and of its integration, written from the equations alone and in
-/// extended precision, all pairs against all pairs. It shares no code with dem/: where the two agree, either both
-/// are right or two people misread the same line.
-/// Sources: Di Renzo and Di Maio, Chem. Eng. Sci. 59 (2004) 525; Johnson, Contact Mechanics (1985), 4.2, 5.5;
-/// LIGGGHTS-PUBLIC manual (models hertz, tangential history, sjkr, sjkr2, rolling_friction cdt); powder-pressing
-/// paper of Ramirez-Aragon et al. (2020).
+/// An independent restatement of the contact law and of its integration, written from the equations
+/// alone and in extended precision, all pairs against all pairs. It shares no code with dem/: where
+/// the two agree, either both are right or two people misread the same line. Sources: Di Renzo and
+/// Di Maio, Chem. Eng. Sci. 59 (2004) 525; Johnson, Contact Mechanics (1985), 4.2, 5.5;
+/// LIGGGHTS-PUBLIC manual (models hertz, tangential history, sjkr, sjkr2, rolling_friction cdt);
+/// powder-pressing paper of Ramirez-Aragon et al. (2020).
 namespace oracle {
 
 using Real = long double;
@@ -37,10 +37,10 @@ struct Law {
   Normal normal = Normal::hertz;
   Cohesion cohesion = Cohesion::none;
   Tangential tangential = Tangential::history;
-  bool cohesion_limits_friction = true;  ///< mu |F_H + F_C| (true) or mu |F_H|
+  bool cohesion_limits_friction = true; ///< mu |F_H + F_C| (true) or mu |F_H|
   bool tangential_dashpot = true;
-  bool clip_tension = false;             ///< F_H >= 0
-  Real characteristic_velocity = 0.2L;   ///< [m/s], hooke
+  bool clip_tension = false;           ///< F_H >= 0
+  Real characteristic_velocity = 0.2L; ///< [m/s], hooke
 };
 
 struct Body {
@@ -55,7 +55,7 @@ struct Body {
 struct Plane {
   Vec point, normal, v;
   int material = 1;
-  Vec F = Vec::Zero();  ///< on the plane
+  Vec F = Vec::Zero(); ///< on the plane
 };
 
 /// What one contact does: on i directly, on j by reaction.
@@ -64,19 +64,27 @@ struct Action {
   Vec torque_i, torque_j;
 };
 
-inline Real shear_modulus(Elastic const& e) { return e.young / (2 * (1 + e.poisson)); }
+inline Real shear_modulus(Elastic const& e) {
+  return e.young / (2 * (1 + e.poisson));
+}
 
 /// Area to which the linear cohesion applies [m^2].
 inline Real cohesive_area(Cohesion law, Real d, Real Rred, Real Ri, Real Rj) {
   switch (law) {
-    case Cohesion::none: return 0;
-    // 2 pi (2 R*) d between grains; at a wall the code takes the grain's radius itself, not twice it.
-    case Cohesion::sjkr2: return (Rj > 0 ? 4 : 2) * pi * Rred * d;
-    case Cohesion::linear_reduced: return 2 * pi * Rred * d;
-    case Cohesion::linear_hertz_circle: return pi * Rred * d;
-    case Cohesion::sjkr: break;
+  case Cohesion::none:
+    return 0;
+  // 2 pi (2 R*) d between grains; at a wall the code takes the grain's radius itself, not twice it.
+  case Cohesion::sjkr2:
+    return (Rj > 0 ? 4 : 2) * pi * Rred * d;
+  case Cohesion::linear_reduced:
+    return 2 * pi * Rred * d;
+  case Cohesion::linear_hertz_circle:
+    return pi * Rred * d;
+  case Cohesion::sjkr:
+    break;
   }
-  if (Rj <= 0) return pi * d * (2 * Ri - d);  // a plane cuts the sphere in a circle of radius^2 = d (2 R - d)
+  if (Rj <= 0)
+    return pi * d * (2 * Ri - d); // a plane cuts the sphere in a circle of radius^2 = d (2 R - d)
   Real const r = Ri + Rj - d;
   Real const outer = (Ri + Rj) * (Ri + Rj) - r * r;
   Real const inner = r * r - (Ri - Rj) * (Ri - Rj);
@@ -89,7 +97,8 @@ struct Meeting {
   Vec n, vi, vj, wi, wj;
 };
 
-/// The force law. `xi` is the tangential history; it advances by dt * slip velocity (dt = 0 leaves it alone).
+/// The force law. `xi` is the tangential history; it advances by dt * slip velocity (dt = 0 leaves
+/// it alone).
 inline Action act(Law const& law, Meeting const& c, Vec& xi, Real dt) {
   bool const wall = c.Rj <= 0;
   Real const Rred = wall ? c.Ri : c.Ri * c.Rj / (c.Ri + c.Rj);
@@ -99,7 +108,7 @@ inline Action act(Law const& law, Meeting const& c, Vec& xi, Real dt) {
   Real const Gstar =
       1 / ((2 - law.i.poisson) / shear_modulus(law.i) + (2 - law.j.poisson) / shear_modulus(law.j));
   Real const lne = std::log(law.restitution);
-  Real const zeta = -lne / std::sqrt(lne * lne + pi * pi);  // >= 0
+  Real const zeta = -lne / std::sqrt(lne * lne + pi * pi); // >= 0
 
   Real const ci = c.Ri - c.d / 2;
   Real const cj = wall ? Real(0) : c.Rj - c.d / 2;
@@ -122,10 +131,12 @@ inline Action act(Law const& law, Meeting const& c, Vec& xi, Real dt) {
     cn = 2 * zeta * std::sqrt(mred * kn);
     ct = cn;
   }
-  if (!law.tangential_dashpot) ct = 0;
+  if (!law.tangential_dashpot)
+    ct = 0;
 
   Real FH = kn * c.d - cn * vn;
-  if (law.clip_tension) FH = std::max(FH, Real(0));
+  if (law.clip_tension)
+    FH = std::max(FH, Real(0));
   Real const FC = -law.cohesion_energy_density * cohesive_area(law.cohesion, c.d, Rred, c.Ri, c.Rj);
 
   Vec Ft = Vec::Zero();
@@ -146,8 +157,8 @@ inline Action act(Law const& law, Meeting const& c, Vec& xi, Real dt) {
   action.force = (FH + FC) * c.n + Ft;
   action.torque_i = -ci * c.n.cross(Ft);
   action.torque_j = -cj * c.n.cross(Ft);
-  // Rolling: a constant torque mu_r R* times the elastic normal force against the relative rolling spin (the part
-  // of w_i - w_j across the normal).
+  // Rolling: a constant torque mu_r R* times the elastic normal force against the relative rolling
+  // spin (the part of w_i - w_j across the normal).
   Vec roll = c.wi - c.wj;
   roll -= roll.dot(c.n) * c.n;
   if (law.rolling_friction > 0 && roll.norm() > 0) {
@@ -163,7 +174,7 @@ class System {
 public:
   std::vector<Body> bodies;
   std::vector<Plane> planes;
-  std::map<std::pair<int, int>, Law> laws;  ///< by (smaller, larger) material
+  std::map<std::pair<int, int>, Law> laws; ///< by (smaller, larger) material
   Vec gravity = Vec::Zero();
 
   /// Forces of the present state; history advances by `dt` (0: not at all).
@@ -172,10 +183,13 @@ public:
       b.F = b.m * gravity;
       b.T.setZero();
     }
-    for (Plane& p : planes) p.F.setZero();
+    for (Plane& p : planes)
+      p.F.setZero();
     for (int i = 0; i < int(bodies.size()); ++i) {
-      for (int j = i + 1; j < int(bodies.size()); ++j) meet(i, j, dt);
-      for (int k = 0; k < int(planes.size()); ++k) meet_plane(i, k, dt);
+      for (int j = i + 1; j < int(bodies.size()); ++j)
+        meet(i, j, dt);
+      for (int k = 0; k < int(planes.size()); ++k)
+        meet_plane(i, k, dt);
     }
   }
 
@@ -185,15 +199,17 @@ public:
       kick(b, dt / 2);
       b.x += dt * b.v;
     }
-    for (Plane& p : planes) p.point += dt * p.v;
+    for (Plane& p : planes)
+      p.point += dt * p.v;
     gather(dt);
-    for (Body& b : bodies) kick(b, dt / 2);
+    for (Body& b : bodies)
+      kick(b, dt / 2);
   }
 
   int n_contacts() const { return int(history_.size()); }
 
 private:
-  std::map<std::pair<int, int>, Vec> history_;  // (i, j), or (i, -1 - plane)
+  std::map<std::pair<int, int>, Vec> history_; // (i, j), or (i, -1 - plane)
 
   static void kick(Body& b, Real h) {
     b.v += h / b.m * b.F;
@@ -212,8 +228,9 @@ private:
       history_.erase({i, j});
       return;
     }
-    Action const f = act(law_of(a.material, b.material),
-                         {a.R, b.R, a.m, b.m, d, across / r, a.v, b.v, a.w, b.w}, history(i, j), dt);
+    Action const f =
+        act(law_of(a.material, b.material), {a.R, b.R, a.m, b.m, d, across / r, a.v, b.v, a.w, b.w},
+            history(i, j), dt);
     a.F += f.force;
     b.F -= f.force;
     a.T += f.torque_i;
@@ -228,12 +245,13 @@ private:
       history_.erase({i, -1 - k});
       return;
     }
-    Action const f = act(law_of(a.material, p.material),
-                         {a.R, 0, a.m, 0, d, p.normal, a.v, p.v, a.w, Vec::Zero()}, history(i, -1 - k), dt);
+    Action const f =
+        act(law_of(a.material, p.material),
+            {a.R, 0, a.m, 0, d, p.normal, a.v, p.v, a.w, Vec::Zero()}, history(i, -1 - k), dt);
     a.F += f.force;
     a.T += f.torque_i;
     p.F -= f.force;
   }
 };
 
-}  // namespace oracle
+} // namespace oracle

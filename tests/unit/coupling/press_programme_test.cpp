@@ -10,7 +10,11 @@ using namespace stand_in;
 namespace {
 
 Stage timed(std::string name, StageKind kind, double duration, double speed = 0.0) {
-  return {.name = std::move(name), .kind = kind, .tools = {"upper_punch"}, .speed = speed, .until = Limit::time,
+  return {.name = std::move(name),
+          .kind = kind,
+          .tools = {"upper_punch"},
+          .speed = speed,
+          .until = Limit::time,
           .duration = duration};
 }
 
@@ -23,7 +27,7 @@ std::string guard_message(auto&& action) {
   return "no guard tripped";
 }
 
-}  // namespace
+} // namespace
 
 TEST(PressProgramme, StepsDivideAStageEquallyAndLandOnItsEnd) {
   auto world = press_world();
@@ -31,9 +35,10 @@ TEST(PressProgramme, StepsDivideAStageEquallyAndLandOnItsEnd) {
   cycle.start_stage(world);
   // ceil(1e-3 / 3e-7) = 3334 steps.
   EXPECT_DOUBLE_EQ(cycle.present_step(), 1e-3 / 3334.0);
-  while (!cycle.stage_has_ended(world)) one_step(world, cycle);
+  while (!cycle.stage_has_ended(world))
+    one_step(world, cycle);
   EXPECT_EQ(world.step, 3334u);
-  EXPECT_EQ(world.time, 1e-3);  // to the bit, whatever the sum of the steps rounds to
+  EXPECT_EQ(world.time, 1e-3); // to the bit, whatever the sum of the steps rounds to
   EXPECT_NEAR(punch_gap(world, cycle.faces()), fill_height - 0.2e-3, 1e-15);
 }
 
@@ -41,7 +46,8 @@ TEST(PressProgramme, AWholeNumberOfLongestStepsIsNotSplitFurther) {
   auto world = press_world();
   auto cycle = programme({timed("free", StageKind::free, 1000.0 * longest_step)});
   cycle.start_stage(world);
-  while (!cycle.stage_has_ended(world)) one_step(world, cycle);
+  while (!cycle.stage_has_ended(world))
+    one_step(world, cycle);
   EXPECT_EQ(world.step, 1000u);
 }
 
@@ -50,7 +56,7 @@ TEST(PressProgramme, StopsAtTheGap) {
   auto cycle = programme({press_to_gap(8e-3)});
   run_stage(world, cycle);
   EXPECT_NEAR(punch_gap(world, cycle.faces()), 8e-3, 1e-12);
-  EXPECT_NEAR(world.time, 0.06, 1e-15);  // 12 mm at 0.2 m/s
+  EXPECT_NEAR(world.time, 0.06, 1e-15); // 12 mm at 0.2 m/s
   EXPECT_TRUE(cycle.is_done());
 }
 
@@ -82,7 +88,7 @@ TEST(PressProgramme, AnOpeningMotionStopsWhenTheForceHasGone) {
   unload.speed = 0.2;
   auto cycle = programme({press_to_gap(8e-3), unload});
   run_stage(world, cycle);
-  EXPECT_NEAR(squeezing_force(tool_named(world, "upper_punch")), 2000.0, 1e-3);  // 1e6 N/m x 2 mm
+  EXPECT_NEAR(squeezing_force(tool_named(world, "upper_punch")), 2000.0, 1e-3); // 1e6 N/m x 2 mm
   run_stage(world, cycle);
   EXPECT_NEAR(punch_gap(world, cycle.faces()), bed_height, 1.01 * 0.2 * longest_step);
 }
@@ -90,15 +96,17 @@ TEST(PressProgramme, AnOpeningMotionStopsWhenTheForceHasGone) {
 TEST(PressProgramme, AForceThatIsNotReachedInTimeStopsTheRun) {
   auto world = press_world();
   Stage stage = press_to_force(500.0);
-  stage.duration = 0.051;  // the bed carries 200 N then: 0.2 mm of compression
+  stage.duration = 0.051; // the bed carries 200 N then: 0.2 mm of compression
   auto cycle = programme({stage});
   auto const message = guard_message([&] { run_stage(world, cycle); });
-  EXPECT_NE(message.find("stage 'loading': upper_punch carries 200 N after 0.051 s"), std::string::npos) << message;
+  EXPECT_NE(message.find("stage 'loading': upper_punch carries 200 N after 0.051 s"),
+            std::string::npos)
+      << message;
 }
 
 TEST(PressProgramme, PunchesThatMeetStopTheRun) {
   auto world = press_world();
-  auto cycle = programme({press_to_force(1e5)});  // the bed's spring ends at 10 kN
+  auto cycle = programme({press_to_force(1e5)}); // the bed's spring ends at 10 kN
   auto const message = guard_message([&] { run_stage(world, cycle); });
   EXPECT_NE(message.find("the punches meet"), std::string::npos) << message;
   EXPECT_NEAR(world.time, 0.1, 1e-6);
@@ -115,7 +123,8 @@ TEST(PressProgramme, AGapThatTakesTooLongStopsTheRun) {
 
 TEST(PressProgramme, ReleasedToolsVanishAtOnce) {
   auto world = press_world();
-  Stage const release{.name = "release", .kind = StageKind::release, .tools = {"die", "upper_punch"}};
+  Stage const release{
+      .name = "release", .kind = StageKind::release, .tools = {"die", "upper_punch"}};
   auto cycle = programme({press_to_gap(8e-3), release});
   run_stage(world, cycle);
   auto const steps = world.step;
@@ -129,7 +138,8 @@ TEST(PressProgramme, ReleasedToolsVanishAtOnce) {
 
 TEST(PressProgramme, NothingMovesWhileHeldOrFree) {
   auto world = press_world();
-  auto cycle = programme({press_to_gap(8e-3), timed("dwell", StageKind::hold, 1e-4), timed("rest", StageKind::free, 1e-4)});
+  auto cycle = programme({press_to_gap(8e-3), timed("dwell", StageKind::hold, 1e-4),
+                          timed("rest", StageKind::free, 1e-4)});
   run_stage(world, cycle);
   double const gap = punch_gap(world, cycle.faces());
   run_stage(world, cycle);
@@ -140,11 +150,14 @@ TEST(PressProgramme, NothingMovesWhileHeldOrFree) {
 TEST(PressProgramme, AnAdaptiveStepFollowsTheStateAndStillLandsOnTheEnd) {
   auto world = press_world();
   // The longest step halves once 0.5 ms have passed.
-  PressProgramme cycle({timed("loading", StageKind::move, 1e-3, -0.2)}, {.lower = 0.0, .upper = fill_height},
-                       [](dem::World const& w) { return w.time < 0.5e-3 ? longest_step : 0.5 * longest_step; }, true);
+  PressProgramme cycle(
+      {timed("loading", StageKind::move, 1e-3, -0.2)}, {.lower = 0.0, .upper = fill_height},
+      [](dem::World const& w) { return w.time < 0.5e-3 ? longest_step : 0.5 * longest_step; },
+      true);
   run_stage(world, cycle);
   EXPECT_EQ(world.time, 1e-3);
-  // 0.5e-3 / 3e-7 = 1667 and 0.5e-3 / 1.5e-7 = 3333 steps; a plan may run on for `renewal` long ones.
+  // 0.5e-3 / 3e-7 = 1667 and 0.5e-3 / 1.5e-7 = 3333 steps; a plan may run on for `renewal` long
+  // ones.
   EXPECT_GE(world.step, 5000u - PressProgramme::renewal);
   EXPECT_LE(world.step, 5000u + PressProgramme::renewal);
 }
@@ -155,17 +168,21 @@ TEST(PressProgramme, GoesOnFromASavedStateToTheSameBits) {
   auto cycle = programme(stages);
   run_stage(world, cycle);
   cycle.start_stage(world);
-  for (int k = 0; k < 1000; ++k) one_step(world, cycle);
+  for (int k = 0; k < 1000; ++k)
+    one_step(world, cycle);
   auto restored_world = world;
   auto restored = programme(stages);
   Memory memory;
   cycle.visit_state(memory.writer());
   restored.visit_state(memory.reader());
-  while (!cycle.stage_has_ended(world)) one_step(world, cycle);
-  while (!restored.stage_has_ended(restored_world)) one_step(restored_world, restored);
+  while (!cycle.stage_has_ended(world))
+    one_step(world, cycle);
+  while (!restored.stage_has_ended(restored_world))
+    one_step(restored_world, restored);
   EXPECT_EQ(world.time, restored_world.time);
   EXPECT_EQ(world.step, restored_world.step);
-  EXPECT_EQ(tool_named(world, "upper_punch").displacement.z(), tool_named(restored_world, "upper_punch").displacement.z());
+  EXPECT_EQ(tool_named(world, "upper_punch").displacement.z(),
+            tool_named(restored_world, "upper_punch").displacement.z());
 }
 
 TEST(PressProgramme, TellsHowFarItIs) {

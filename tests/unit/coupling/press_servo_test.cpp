@@ -14,8 +14,8 @@ namespace {
 constexpr double tau = 0.383e-3;
 
 struct Held {
-  double largest = 0.0;   // [N], over the hold
-  double final = 0.0;     // [N]
+  double largest = 0.0; // [N], over the hold
+  double final = 0.0;   // [N]
 };
 
 /// Presses to 500 N, then asks the servo for `force`; the bed creeps at `creep_speed` [m/s].
@@ -35,14 +35,14 @@ Held hold(double force, double duration, double creep_speed = 0.0) {
   return held;
 }
 
-}  // namespace
+} // namespace
 
 TEST(ForceServo, ReachesTheForceAndOvershootsAsACriticallyDampedLoop) {
   auto const held = hold(600.0, 30.0 * tau);
   EXPECT_NEAR(held.final, 600.0, 0.01);
-  // e'' + e'/tau + e/(4 tau^2) = 0 with e(0) = 100 N, e'(0) = -e(0)/tau:  e = 100 (1 - t/(2 tau)) exp(-t/(2 tau)),
-  // lowest at t = 4 tau: -100 exp(-2) = -13.5 N. The speed limit of 0.2 m/s, below 100 N/(k tau) = 0.26 m/s, and its
-  // standing integral make it a little less.
+  // e'' + e'/tau + e/(4 tau^2) = 0 with e(0) = 100 N, e'(0) = -e(0)/tau:  e = 100 (1 - t/(2 tau))
+  // exp(-t/(2 tau)), lowest at t = 4 tau: -100 exp(-2) = -13.5 N. The speed limit of 0.2 m/s, below
+  // 100 N/(k tau) = 0.26 m/s, and its standing integral make it a little less.
   EXPECT_GT(held.largest, 600.0 + 9.0);
   EXPECT_LT(held.largest, 600.0 + 13.6);
 }
@@ -53,7 +53,9 @@ TEST(ForceServo, ACreepingBedLeavesNoOffset) {
   EXPECT_NEAR(held.final, 500.0, 0.02);
 }
 
-TEST(ForceServo, ReleasesToASmallerForce) { EXPECT_NEAR(hold(300.0, 30.0 * tau).final, 300.0, 0.05); }
+TEST(ForceServo, ReleasesToASmallerForce) {
+  EXPECT_NEAR(hold(300.0, 30.0 * tau).final, 300.0, 0.05);
+}
 
 TEST(ForceServo, MeasuresTheBedsSecantWhileItIsPressed) {
   ForceServo servo;
@@ -64,7 +66,8 @@ TEST(ForceServo, MeasuresTheBedsSecantWhileItIsPressed) {
   }
   EXPECT_NEAR(servo.stiffness(), stiffness, 1e-6 * stiffness);
   servo.start(1.0);
-  EXPECT_NEAR(servo.stiffness(), stiffness, 1e-6 * stiffness);  // what was seen goes before the estimate
+  EXPECT_NEAR(servo.stiffness(), stiffness,
+              1e-6 * stiffness); // what was seen goes before the estimate
 }
 
 TEST(ForceServo, StartsFromTheEstimateWhereNothingWasPressed) {
