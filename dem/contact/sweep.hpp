@@ -52,12 +52,12 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
       spin_i[l] = load_lanes(&mi.wx);
       spin_j[l] = load_lanes(&mj.wx);
     }
-    auto const spread = [k](auto(&rows)[4], auto* x, auto* y, auto* z, auto* w) {
-      transpose(rows[0], rows[1], rows[2], rows[3]);
-      store_lanes(x + k, rows[0]);
-      store_lanes(y + k, rows[1]);
-      store_lanes(z + k, rows[2]);
-      store_lanes(w + k, rows[3]);
+    auto const spread = [k](auto(&quad)[4], auto* x, auto* y, auto* z, auto* w) {
+      transpose(quad[0], quad[1], quad[2], quad[3]);
+      store_lanes(x + k, quad[0]);
+      store_lanes(y + k, quad[1]);
+      store_lanes(z + k, quad[2]);
+      store_lanes(w + k, quad[3]);
     };
     spread(place, b.x, b.y, b.z, b.sum);
     spread(velocity, b.vx, b.vy, b.vz, b.unused);
