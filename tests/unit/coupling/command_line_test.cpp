@@ -27,7 +27,8 @@ void expect_refused(program::Outcome const& outcome, std::string const& reason) 
 void expect_run_refused(std::vector<std::string> const& changes, std::string const& reason,
                         std::string const& case_file = tiny_case()) {
   ScratchFolder scratch;
-  std::vector<std::string> arguments{"run", case_file, "-o", (scratch / "out").string(), "--threads", "1"};
+  std::vector<std::string> arguments{"run",       case_file, "-o", (scratch / "out").string(),
+                                     "--threads", "1"};
   for (auto const& change : changes) {
     arguments.push_back("--set");
     arguments.push_back(change);
@@ -36,7 +37,7 @@ void expect_run_refused(std::vector<std::string> const& changes, std::string con
   EXPECT_FALSE(fs::exists(scratch / "out"));
 }
 
-}  // namespace
+} // namespace
 
 TEST(CommandLine, HelpAndVersionAreNoErrors) {
   EXPECT_EQ(run({"--help"}).status, 0);
@@ -66,7 +67,8 @@ TEST(CommandLine, DefaultsListEveryEntry) {
   auto const outcome = run({"defaults"});
   EXPECT_EQ(outcome.status, 0);
   EXPECT_NE(outcome.out.find("Rayleigh fraction"), std::string::npos);
-  EXPECT_NE(run({"defaults", "--format", "json"}).out.find("\"Rayleigh fraction\""), std::string::npos);
+  EXPECT_NE(run({"defaults", "--format", "json"}).out.find("\"Rayleigh fraction\""),
+            std::string::npos);
 }
 
 TEST(CommandLine, BadCasesAreRefusedBeforeAnythingIsWritten) {
@@ -74,11 +76,12 @@ TEST(CommandLine, BadCasesAreRefusedBeforeAnythingIsWritten) {
   expect_run_refused({"Powder/Total masses=9 g"}, "Total mass");
   expect_run_refused({"Powder/Total mass=9 mm"}, "mm");
   expect_run_refused({"Powder/Total mass=nan"}, "nan");
-  expect_run_refused({"Powder/Total mass=3 g"}, "Total mass");                       // does not fit
+  expect_run_refused({"Powder/Total mass=3 g"}, "Total mass"); // does not fit
   expect_run_refused({"Tooling/Bore diameter=22 m"}, "22 m");
   expect_run_refused({"Press programme/Stage 1/Speed=-40 m/s"}, "per step");
   expect_run_refused({"Press programme/Stage 1/Kind=none", "Press programme/Stage 2/Kind=none",
-                      "Press programme/Stage 3/Kind=none", "Press programme/Stage 4/Kind=none"}, "stage");
+                      "Press programme/Stage 3/Kind=none", "Press programme/Stage 4/Kind=none"},
+                     "without a stage", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm");
   expect_run_refused({"Mode=two_way_implicit"}, "rigid");
   expect_run_refused({"Powder/Fill method=file", "Powder/Fill file=missing.csv"}, "missing.csv");
 }
@@ -92,14 +95,18 @@ TEST(CommandLine, BadGeometryIsRefused) {
   };
   with_die("", "die.stl");
   with_die("solid die\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n", "die.stl");
-  with_die(std::string("solid but binary") + std::string(68, ' ') + std::string("\x02\0\0\0", 4) + std::string(50, '\0'), "die.stl");
+  with_die(std::string("solid but binary") + std::string(68, ' ') + std::string("\x02\0\0\0", 4) +
+               std::string(50, '\0'),
+           "die.stl");
 }
 
 TEST(CommandLine, ADieInTheWrongUnitIsRefused) {
   ScratchFolder scratch;
   auto const first = (scratch / "first").string();
   ASSERT_EQ(run({"run", tiny_case(), "-o", first, "--quiet", "--threads", "1", "--until", "loading",
-                 "--set", "Press programme/Stage 1/Gap=7.9 mm"}).status, 0);
+                 "--set", "Press programme/Stage 1/Gap=7.9 mm"})
+                .status,
+            0);
   auto const die = first + "/geometry/die.stl";
   expect_run_refused({"Tooling/Die file=" + die, "Tooling/STL scale=1 mm"}, "die.stl");
   expect_run_refused({"Tooling/Die file=" + die, "Tooling/Bore diameter=7 mm"}, "bore of 0.006 m");
@@ -124,14 +131,16 @@ TEST(CommandLine, AnotherRunsFolderIsNotOverwritten) {
   fs::create_directory(folder);
   support::put_bytes(folder + "/notes.txt", "mine");
   expect_refused(run({"run", tiny_case(), "-o", folder}), "is not empty");
-  auto const forced = run({"run", tiny_case(), "-o", folder, "--force", "--quiet", "--threads", "1", "--until", "loading"});
+  auto const forced = run({"run", tiny_case(), "-o", folder, "--force", "--quiet", "--threads", "1",
+                           "--until", "loading"});
   EXPECT_EQ(forced.status, 0) << forced.error;
   EXPECT_TRUE(fs::exists(folder + "/curves.csv"));
   EXPECT_EQ(support::bytes_of(folder + "/notes.txt"), "mine");
 }
 
 TEST(CommandLine, AnUnwritableFolderIsRefused) {
-  expect_refused(run({"run", tiny_case(), "-o", "/proc/presscheck"}), "/proc/presscheck: cannot be made");
+  expect_refused(run({"run", tiny_case(), "-o", "/proc/presscheck"}),
+                 "/proc/presscheck: cannot be made");
   ScratchFolder scratch;
   support::put_bytes(scratch / "file", "");
   expect_refused(run({"run", tiny_case(), "-o", (scratch / "file").string()}), "is a file");
@@ -140,8 +149,9 @@ TEST(CommandLine, AnUnwritableFolderIsRefused) {
 TEST(CommandLine, AFullDiskIsAFailureInOneLine) {
   ScratchFolder scratch;
   // 4 blocks of 512 bytes: the case fits, the tools' surfaces do not.
-  auto const outcome = program::run_after("ulimit -f 4", {"run", tiny_case(), "-o", (scratch / "out").string(), "--quiet",
-                                                          "--threads", "1"});
+  auto const outcome =
+      program::run_after("ulimit -f 4", {"run", tiny_case(), "-o", (scratch / "out").string(),
+                                         "--quiet", "--threads", "1"});
   EXPECT_NE(outcome.status, 0);
   EXPECT_LT(outcome.status, 128);
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
@@ -151,7 +161,10 @@ TEST(CommandLine, DamagedRestartsAreRefused) {
   ScratchFolder scratch;
   auto const folder = (scratch / "out").string();
   expect_refused(run({"resume", folder}), "does not exist");
-  ASSERT_EQ(run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1", "--until", "loading"}).status, 0);
+  ASSERT_EQ(
+      run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1", "--until", "loading"})
+          .status,
+      0);
   auto const restart = folder + "/restart_stage_loading.h5";
   auto bytes = support::bytes_of(restart);
   bytes[bytes.size() / 2] ^= 1;
@@ -164,7 +177,8 @@ TEST(CommandLine, DamagedRestartsAreRefused) {
 
 TEST(CommandLine, UnknownStagesAreRefused) {
   ScratchFolder scratch;
-  expect_refused(run({"run", tiny_case(), "-o", (scratch / "out").string(), "--until", "fired"}), "there is no such stage");
+  expect_refused(run({"run", tiny_case(), "-o", (scratch / "out").string(), "--until", "fired"}),
+                 "there is no such stage");
 }
 
 TEST(CommandLine, CheckDescribesAndWritesNothing) {
@@ -174,8 +188,8 @@ TEST(CommandLine, CheckDescribesAndWritesNothing) {
   auto const outcome = run({"check", tiny_case(), "--set", "Powder/Packing seed=3"});
   fs::current_path(here);
   EXPECT_EQ(outcome.status, 0) << outcome.error;
-  for (auto const* what : {"grains", "time step", "steps", "memory", "estimated duration", "solid fraction", "Rayleigh time",
-                           "triangles"})
+  for (auto const* what : {"grains", "time step", "steps", "memory", "estimated duration",
+                           "solid fraction", "Rayleigh time", "triangles"})
     EXPECT_NE(outcome.out.find(what), std::string::npos) << what;
   EXPECT_TRUE(scratch.names().empty());
 }
@@ -187,7 +201,8 @@ TEST(CommandLine, ProgressIsALineEveryTwentiethAndCanBeSilenced) {
   EXPECT_EQ(std::ranges::count(loud.error, '\n'), 21) << loud.error;
   for (auto const* what : {"loading", "height", "force", "overlap", "steps/s", "left"})
     EXPECT_NE(loud.error.find(what), std::string::npos) << what;
-  auto const silent = run({"run", tiny_case(), "-o", (scratch / "silent").string(), "--threads", "1", "--quiet"});
+  auto const silent =
+      run({"run", tiny_case(), "-o", (scratch / "silent").string(), "--threads", "1", "--quiet"});
   EXPECT_EQ(silent.error, "");
 }
 
@@ -195,22 +210,25 @@ TEST(CommandLine, AGuardStopsTheRunWithEvidenceAndTheLastRestart) {
   ScratchFolder scratch;
   auto const folder = (scratch / "out").string();
   // The tiny bed reaches an overlap of 0.4 at the end of loading; settling first makes a restart.
-  auto const outcome = run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1",
-                            "--set", "Time stepping/Largest relative overlap=0.3", "--set", "Powder/Settle time=1 ms"});
+  auto const outcome =
+      run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1", "--set",
+           "Time stepping/Largest relative overlap=0.3", "--set", "Powder/Settle time=1 ms"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   for (auto const* what : {"stage 'loading'", "overlap", "limit of 0.3", "restart_stage_settle.h5"})
     EXPECT_NE(outcome.error.find(what), std::string::npos) << outcome.error;
   EXPECT_FALSE(fs::exists(folder + "/summary.json"));
   for (auto const& row : coupling::read_curves(folder + "/curves.csv").rows())
-    for (double const value : row) EXPECT_TRUE(std::isfinite(value));
+    for (double const value : row)
+      EXPECT_TRUE(std::isfinite(value));
 }
 
 TEST(CommandLine, AnUnstableStepIsCaughtByItsHeat) {
   ScratchFolder scratch;
   auto const folder = (scratch / "out").string();
-  auto const outcome = run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1",
-                            "--set", "Time stepping/Rayleigh fraction=0.5", "--set", "Press programme/Stage 1/Speed=-0.2 m/s"});
+  auto const outcome = run({"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1", "--set",
+                            "Time stepping/Rayleigh fraction=0.5", "--set",
+                            "Press programme/Stage 1/Speed=-0.2 m/s"});
   EXPECT_EQ(outcome.status, 1) << outcome.error;
   EXPECT_NE(outcome.error.find("Rayleigh fraction"), std::string::npos) << outcome.error;
 }
