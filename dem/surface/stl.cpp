@@ -13,6 +13,7 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <span>
 #include <sstream>
 #include <string_view>
 #include <system_error>
@@ -80,9 +81,8 @@ std::vector<std::byte> read_bytes(std::filesystem::path const& file) {
   std::ifstream in(file, std::ios::binary);
   std::string const content{std::istreambuf_iterator<char>(in), {}};
   VALIDATE(in.is_open() && !in.bad(), file.string() + ": cannot be read. Is reading it permitted?");
-  std::vector<std::byte> bytes(content.size());
-  std::memcpy(bytes.data(), content.data(), content.size());
-  return bytes;
+  auto const bytes = std::as_bytes(std::span(content));
+  return {bytes.begin(), bytes.end()};
 }
 
 /// Shortest digits that read back as the same number.

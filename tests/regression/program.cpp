@@ -37,7 +37,7 @@ Running::Running(std::vector<std::string> const& arguments) {
     throw std::runtime_error("no pipe");
   std::vector<std::string> words{PRESSCHECK_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  if (words[1] == "sh")
+  if (words.size() > 1 && words[1] == "sh")
     words.erase(words.begin());
   process_ = fork();
   if (process_ == 0) {

@@ -12,36 +12,42 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What `contract` says of a run folder, or nothing where this copy of the project has no contract beside it.
+/// What `contract` says of a run folder, or nothing where this copy of the project has no contract
+/// beside it.
 std::string departures_from_contract(fs::path const& folder) {
   fs::path const contract = PRESSCHECK_SOURCE_DIR "/../shared/check/contract";
-  if (!fs::exists(contract)) return "";
+  if (!fs::exists(contract))
+    return "";
   auto const verdict = folder.string() + ".contract";
-  int const status = std::system((contract.string() + " run " + folder.string() + " > " + verdict + " 2>&1").c_str());
+  int const status = std::system(
+      (contract.string() + " run " + folder.string() + " > " + verdict + " 2>&1").c_str());
   return status == 0 ? "" : support::bytes_of(verdict);
 }
 
-}  // namespace
+} // namespace
 
-/// cases/quick from the command line, as a new user runs it. Over the packing seeds 1 to 4 it gave, with standard
-/// deviations: force 1842 +- 18 N, porosity 0.3752 +- 0.0034, of the core 0.3320 +- 0.0011. The ranges are about three
-/// (core: six) of them, not digits.
+/// cases/quick from the command line, as a new user runs it. Over the packing seeds 1 to 4 it gave,
+/// with standard deviations: force 1842 +- 18 N, porosity 0.3752 +- 0.0034, of the core 0.3320 +-
+/// 0.0011. The ranges are about three (core: six) of them, not digits.
 TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   support::ScratchFolder scratch;
   auto const folder = scratch / "quick";
-  auto const outcome = program::run({"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(), "--quiet"});
+  auto const outcome = program::run(
+      {"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(), "--quiet"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(departures_from_contract(folder), "");
   auto const summary = coupling::read_summary(folder / "summary.json");
   EXPECT_EQ(summary.grains, 2204u);
-  EXPECT_GT(summary.max_force, 1780.0);  // [N]
+  EXPECT_GT(summary.max_force, 1780.0); // [N]
   EXPECT_LT(summary.max_force, 1900.0);
   EXPECT_GT(summary.porosity, 0.360);
   EXPECT_LT(summary.porosity, 0.390);
   EXPECT_GT(summary.porosity_core, 0.325);
   EXPECT_LT(summary.porosity_core, 0.340);
   EXPECT_EQ(summary.shape_quality, 5);
-  for (auto const& check : summary.checks) EXPECT_TRUE(check.ok) << check.name << ": " << check.value;
-  for (auto const* file : {"tools.pvd", "grains.pvd", "report.html", "run.h5", "geometry/die.stl", "restart_stage_release.h5"})
+  for (auto const& check : summary.checks)
+    EXPECT_TRUE(check.ok) << check.name << ": " << check.value;
+  for (auto const* file : {"tools.pvd", "grains.pvd", "report.html", "run.h5", "geometry/die.stl",
+                           "restart_stage_release.h5"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
 }

@@ -218,7 +218,8 @@ TEST(CommandLine, AGuardStopsTheRunWithEvidenceAndTheLastRestart) {
   for (auto const* what : {"stage 'loading'", "overlap", "limit of 0.3", "restart_stage_settle.h5"})
     EXPECT_NE(outcome.error.find(what), std::string::npos) << outcome.error;
   EXPECT_FALSE(fs::exists(folder + "/summary.json"));
-  for (auto const& row : coupling::read_curves(folder + "/curves.csv").rows())
+  auto const curves = coupling::read_curves(folder + "/curves.csv");
+  for (auto const& row : curves.rows())
     for (double const value : row)
       EXPECT_TRUE(std::isfinite(value));
 }

@@ -28,7 +28,9 @@ Cycle const& cycle() {
   return done;
 }
 
-double at(PressRecord const& record, std::string_view column, std::size_t row) { return record.column(column)[row]; }
+double at(PressRecord const& record, std::string_view column, std::size_t row) {
+  return record.column(column)[row];
+}
 
 /// Row of the largest upper punch force.
 std::size_t peak_row(PressRecord const& record) {
@@ -40,15 +42,17 @@ std::size_t peak_row(PressRecord const& record) {
 std::size_t last_row(PressRecord const& record, std::string const& stage) {
   std::size_t row = 0;
   for (std::size_t k = 0; k < record.size(); ++k)
-    if (record.stages()[k] == stage) row = k;
+    if (record.stages()[k] == stage)
+      row = k;
   return row;
 }
 
-}  // namespace
+} // namespace
 
 TEST(PressCycle, RecordsAtItsIntervalAndAtEachStagesEnd) {
   auto const& record = cycle().press.record;
-  // 23 ms at 0.1 ms are 230 rows, one more at the start, one at the end of the release; peaks may add some.
+  // 23 ms at 0.1 ms are 230 rows, one more at the start, one at the end of the release; peaks may
+  // add some.
   EXPECT_GE(record.size(), 232u);
   EXPECT_LE(record.size(), 245u);
   EXPECT_EQ(at(record, "time", 0), 0.0);
@@ -67,31 +71,35 @@ TEST(PressCycle, ForcesHaveTheSignsOfASqueezedBed) {
   double const wall = at(record, "wall_axial_force", row);
   EXPECT_GT(upper, 1.0);
   EXPECT_GT(lower, 1.0);
-  EXPECT_GT(wall, 0.0);   // the bed drags the die down while it is pressed from above
+  EXPECT_GT(wall, 0.0); // the bed drags the die down while it is pressed from above
   EXPECT_LT(wall, 0.3 * upper);
   EXPECT_GT(at(record, "wall_radial_pressure", row), 0.0);
-  // Weight (2.9 mN) and inertia are small against 1 N: what goes in at the top comes out below and at the wall.
+  // Weight (2.9 mN) and inertia are small against 1 N: what goes in at the top comes out below and
+  // at the wall.
   EXPECT_NEAR(upper, lower + wall, 0.05 * upper);
 }
 
 TEST(PressCycle, AxialForcesBalanceTheBedsInertia) {
   auto const& record = cycle().press.record;
   double const peak = at(record, "upper_punch_force", peak_row(record));
-  for (double const imbalance : record.column("axial_imbalance")) EXPECT_LT(std::abs(imbalance), 1e-5 * peak);
+  for (double const imbalance : record.column("axial_imbalance"))
+    EXPECT_LT(std::abs(imbalance), 1e-5 * peak);
 }
 
 TEST(PressCycle, EnergyIsAccountedFor) {
   auto const& record = cycle().press.record;
   auto const work = record.column("tool_work");
   double const peak = *std::ranges::max_element(work);
-  for (double const error : record.column("energy_error")) EXPECT_LT(std::abs(error), 0.01 * peak);
+  for (double const error : record.column("energy_error"))
+    EXPECT_LT(std::abs(error), 0.01 * peak);
   // Each entry of the ledger is there: a bed that is pressed and relaxes stores, rubs and damps.
   auto const row = peak_row(record);
   EXPECT_GT(at(record, "elastic_energy", row), 0.05 * peak);
   EXPECT_LT(at(record, "cohesive_energy", row), -0.02 * peak);
   EXPECT_GT(at(record, "tangential_work", row), 0.05 * peak);
   EXPECT_GT(at(record, "normal_damping_loss", row), 0.01 * peak);
-  EXPECT_GT(at(record, "released_energy", record.size() - 1), 0.0);  // the die took its contacts' energy along
+  EXPECT_GT(at(record, "released_energy", record.size() - 1),
+            0.0); // the die took its contacts' energy along
 }
 
 TEST(PressCycle, TheSummaryAgreesWithTheRecord) {
@@ -105,20 +113,21 @@ TEST(PressCycle, TheSummaryAgreesWithTheRecord) {
   EXPECT_NEAR(summary.compact_height, at(record, "compact_height", unloaded), 1e-12);
   EXPECT_NEAR(summary.springback, summary.compact_height / 4.4e-3 - 1.0, 1e-9);
   EXPECT_GT(summary.springback, 0.0);
-  EXPECT_GT(summary.porosity, summary.porosity_core);  // the highest grain overstates the height
+  EXPECT_GT(summary.porosity, summary.porosity_core); // the highest grain overstates the height
   EXPECT_GT(summary.porosity_core, 0.2);
   EXPECT_EQ(summary.shape_quality, dem::shape_quality(summary.shape_similarity));
   EXPECT_GT(summary.shape_similarity, 0.9);
   EXPECT_EQ(summary.steps, press.world.step);
   EXPECT_EQ(summary.grains, press.world.grains.size());
   ASSERT_EQ(summary.tools.size(), 3u);
-  EXPECT_TRUE(std::isnan(summary.tools[0].max_von_mises));  // a rigid tool knows no stress
+  EXPECT_TRUE(std::isnan(summary.tools[0].max_von_mises)); // a rigid tool knows no stress
 }
 
 TEST(PressCycle, ItsChecksHold) {
   auto const summary = summarise(cycle().press);
   EXPECT_GE(summary.checks.size(), 6u);
-  for (Check const& check : summary.checks) EXPECT_TRUE(check.ok) << check.name << ": " << check.value;
+  for (Check const& check : summary.checks)
+    EXPECT_TRUE(check.ok) << check.name << ": " << check.value;
 }
 
 TEST(PressCycle, WhatWasNotReachedIsUnknown) {
@@ -142,11 +151,16 @@ TEST(PressCycle, APressThatKeepsItsDieIsMeasuredWhereItEnds) {
 
 TEST(PressCycle, AServoHoldsTheForceOfABedOfGrains) {
   ScratchFolder scratch;
-  // The bed gives about 1e4 N/m and weighs 0.3 g: tau = 4 sqrt(m/k) = 0.7 ms, and the loop settles in ten of them.
+  // The bed gives about 1e4 N/m and weighs 0.3 g: tau = 4 sqrt(m/k) = 0.7 ms, and the loop settles
+  // in ten of them.
   Case setup = tiny::read();
   setup.stages[0].until = Limit::force;
   setup.stages[0].force = 4.0;
-  setup.stages[1] = {.name = "dwell", .kind = StageKind::hold, .tools = {"upper_punch"}, .duration = 15e-3, .force = 5.0,
+  setup.stages[1] = {.name = "dwell",
+                     .kind = StageKind::hold,
+                     .tools = {"upper_punch"},
+                     .duration = 15e-3,
+                     .force = 5.0,
                      .servo = true};
   auto press = set_up_press(setup);
   tiny::run(press, scratch.path(), "dwell");
@@ -154,7 +168,9 @@ TEST(PressCycle, AServoHoldsTheForceOfABedOfGrains) {
   double sum = 0.0;
   int n = 0;
   for (std::size_t row = 0; row < record.size(); ++row) {
-    if (record.stages()[row] != "dwell" || at(record, "time", row) < at(record, "time", record.size() - 1) - 5e-3) continue;
+    if (record.stages()[row] != "dwell" ||
+        at(record, "time", row) < at(record, "time", record.size() - 1) - 5e-3)
+      continue;
     sum += at(record, "upper_punch_force", row);
     ++n;
   }
@@ -169,7 +185,8 @@ TEST(PressCycle, AnInterruptionWritesARestart) {
   RunFolder files(scratch.path(), 0.0);
   Progress progress(nowhere, ProgressStyle::silent);
   int asked = 0;
-  EXPECT_EQ(PressCycle(press, files, progress, [&] { return ++asked == 100; }).run(""), RunEnd::interrupted);
+  EXPECT_EQ(PressCycle(press, files, progress, [&] { return ++asked == 100; }).run(""),
+            RunEnd::interrupted);
   EXPECT_EQ(press.world.step, 100u);
   EXPECT_TRUE(std::filesystem::exists(scratch / "restart_100.h5"));
 }

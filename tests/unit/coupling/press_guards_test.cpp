@@ -27,7 +27,7 @@ void expect_trips(Press const& press, Reading const& reading, std::string const&
   EXPECT_NE(message.find("stage 'loading', t = 0 s, step 0"), std::string::npos) << message;
 }
 
-}  // namespace
+} // namespace
 
 TEST(PressGuards, PassASoundReading) {
   auto const press = tiny::press();
@@ -50,7 +50,8 @@ TEST(PressGuards, OverlapsEndWhereTheLawDoes) {
   reading.max_relative_overlap = 0.499;
   EXPECT_EQ(verdict(press, reading), "passed");
   reading.max_relative_overlap = 0.501;
-  expect_trips(press, reading, "an overlap of 0.501 of the smaller radius exceeds the limit of 0.5");
+  expect_trips(press, reading,
+               "an overlap of 0.501 of the smaller radius exceeds the limit of 0.5");
 }
 
 TEST(PressGuards, EnergyThatNobodyPutInStopsTheRun) {
@@ -61,7 +62,7 @@ TEST(PressGuards, EnergyThatNobodyPutInStopsTheRun) {
   EXPECT_EQ(verdict(press, reading), "passed");
   reading.energy_error = 1.01e-3;
   expect_trips(press, reading, "J are not accounted for");
-  reading.energy_error = -1.01e-3;  // energy that vanishes is as wrong
+  reading.energy_error = -1.01e-3; // energy that vanishes is as wrong
   expect_trips(press, reading, "J are not accounted for");
 }
 
@@ -69,7 +70,8 @@ TEST(PressGuards, GrainsThatWentThroughAToolAreCounted) {
   auto press = tiny::press();
   EXPECT_EQ(read_press(press).grains_outside, 0.0);
   auto& grains = press.world.grains;
-  // Behind the die, below the lower punch, above the upper one; each wholly. A fourth only leans out.
+  // Behind the die, below the lower punch, above the upper one; each wholly. A fourth only leans
+  // out.
   grains.position[0] = {3e-3 + 1.01 * grains.radius[0], 0.0, 4e-3};
   grains.position[1] = {0.0, 0.0, -1.01 * grains.radius[1]};
   grains.position[2] = {0.0, 0.0, 8e-3 + 1.01 * grains.radius[2]};
@@ -80,7 +82,7 @@ TEST(PressGuards, GrainsThatWentThroughAToolAreCounted) {
   only_outside.grains_outside = 3.0;
   expect_trips(press, only_outside, "3 grains went through the tools");
   tool_named(press.world, "die").present = false;
-  EXPECT_EQ(read_press(press).grains_outside, 0.0);  // on an open punch grains may roll off
+  EXPECT_EQ(read_press(press).grains_outside, 0.0); // on an open punch grains may roll off
 }
 
 TEST(PressGuards, AToolForceThatIsNoNumberIsSeenInItsStep) {
@@ -92,16 +94,16 @@ TEST(PressGuards, AToolForceThatIsNoNumberIsSeenInItsStep) {
 
 TEST(PressGuards, TheStepIsMeasuredAgainstTheHertzCollision) {
   auto press = tiny::press();
-  EXPECT_EQ(step_to_collision_time(press, 1e-6), 0.0);  // nothing moves, nothing collides
+  EXPECT_EQ(step_to_collision_time(press, 1e-6), 0.0); // nothing moves, nothing collides
   press.world.grains.velocity[0] = {0.0, 0.5, 0.0};
-  // v = 2 x 0.5 m/s. Shortest for the lightest grain: 1 mm, 3000 kg/m^3: m = 1.5708e-6 kg, R/2 = 0.25 mm,
-  // E* = 25 MPa / (2 (1 - 0.0625)) = 13.333 MPa:
-  // t = 2.87 (m^2 / (R/2 E*^2 v))^0.2 = 2.87 (2.4674e-12 / 4.4444e10)^0.2 = 2.87 x 3.5459e-5 = 1.0177e-4 s... per 1e-6 s
+  // v = 2 x 0.5 m/s. Shortest for the lightest grain: 1 mm, 3000 kg/m^3: m = 1.5708e-6 kg, R/2 =
+  // 0.25 mm, E* = 25 MPa / (2 (1 - 0.0625)) = 13.333 MPa: t = 2.87 (m^2 / (R/2 E*^2 v))^0.2 = 2.87
+  // (2.4674e-12 / 4.4444e10)^0.2 = 2.87 x 3.5459e-5 = 1.0177e-4 s... per 1e-6 s
   double const m = 3000.0 * dem::pi / 6.0 * 1e-9;
   double const E = 25e6 / (2.0 * (1.0 - 0.25 * 0.25));
   double const collision = 2.87 * std::pow(m * m / (0.25e-3 * E * E * 1.0), 0.2);
   EXPECT_NEAR(collision, 1.02e-4, 0.02e-4);
   EXPECT_NEAR(step_to_collision_time(press, 1e-6), 1e-6 / collision, 1e-12);
-  tool_named(press.world, "upper_punch").velocity.z() = -0.8;  // v = max(2 x 0.5, 0.5 + 0.8)
+  tool_named(press.world, "upper_punch").velocity.z() = -0.8; // v = max(2 x 0.5, 0.5 + 0.8)
   EXPECT_NEAR(step_to_collision_time(press, 1e-6), 1e-6 / collision * std::pow(1.3, 0.2), 1e-12);
 }

@@ -20,7 +20,8 @@ namespace {
 double mass_of(dem::Spheres const& grains, std::uint8_t material) {
   double mass = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
-    if (grains.material[i] == material) mass += grains.mass[i];
+    if (grains.material[i] == material)
+      mass += grains.mass[i];
   return mass;
 }
 
@@ -33,13 +34,13 @@ std::string refusal(std::vector<std::string> const& changes) {
   return "accepted";
 }
 
-}  // namespace
+} // namespace
 
 TEST(PressSetUp, FillsTheCasesMassWithinAGrain) {
   auto const press = tiny::press();
   // The lightest grain is 1 mm of 3000 kg/m^3: 1.571 mg.
   EXPECT_NEAR(press.grain_mass, 0.3e-3, 0.8e-6);
-  EXPECT_NEAR(mass_of(press.world.grains, 0), 0.24e-3, 1.8e-6);  // 80 % MgO
+  EXPECT_NEAR(mass_of(press.world.grains, 0), 0.24e-3, 1.8e-6); // 80 % MgO
   EXPECT_NEAR(mass_of(press.world.grains, 1), 0.06e-3, 1.6e-6);
 }
 
@@ -73,7 +74,8 @@ TEST(PressSetUp, TheToolsStandWhereTheProgrammeThinks) {
 TEST(PressSetUp, AnalyticWallsHaveNoRimNearThePowder) {
   auto const press = tiny::press({"Tooling/Walls=analytic"});
   std::vector<dem::SurfacePoint> found;
-  // A grain that has left through the die's top, and one that lies on the lower punch beside the bore.
+  // A grain that has left through the die's top, and one that lies on the lower punch beside the
+  // bore.
   tool_named(press.world, "die").surface.find({2.9e-3, 0.0, 12e-3}, 1e-3, found);
   tool_named(press.world, "lower_punch").surface.find({8e-3, 0.0, 0.4e-3}, 1e-3, found);
   ASSERT_EQ(found.size(), 2u);
@@ -89,7 +91,8 @@ TEST(PressSetUp, ToolsFromTheirOwnStlFilesGiveTheSamePress) {
   auto const generated = tiny::press();
   write_tools(generated, scratch.path());
   auto const in = [&](std::string const& name) { return (scratch / name).string(); };
-  auto const read = tiny::press({"Tooling/Die file=" + in("die.stl"), "Tooling/Upper punch file=" + in("upper_punch.stl"),
+  auto const read = tiny::press({"Tooling/Die file=" + in("die.stl"),
+                                 "Tooling/Upper punch file=" + in("upper_punch.stl"),
                                  "Tooling/Lower punch file=" + in("lower_punch.stl")});
   EXPECT_EQ(punch_gap(read.world, read.programme.faces()), 8e-3);
   for (std::size_t t = 0; t < 3; ++t) {
@@ -101,16 +104,18 @@ TEST(PressSetUp, ToolsFromTheirOwnStlFilesGiveTheSamePress) {
     a.find({2.8e-3, 0.1e-3, 4e-3}, 9e-3, at_a);
     b.find({2.8e-3, 0.1e-3, 4e-3}, 9e-3, at_b);
     ASSERT_EQ(at_a.size(), at_b.size());
-    for (std::size_t k = 0; k < at_a.size(); ++k) EXPECT_NEAR(at_a[k].distance, at_b[k].distance, 1e-9);
+    for (std::size_t k = 0; k < at_a.size(); ++k)
+      EXPECT_NEAR(at_a[k].distance, at_b[k].distance, 1e-9);
   }
 }
 
 TEST(PressSetUp, APunchMayBeDrawnAnywhereAlongTheAxis) {
   ScratchFolder scratch;
   auto const generated = tiny::press({"Powder/Fill height=8 mm"});
-  write_tools(generated, scratch.path());  // the punch's face is drawn at 8 mm
-  auto const press = tiny::press({"Tooling/Upper punch file=" + (scratch / "upper_punch.stl").string(),
-                                  "Tooling/Die height=9 mm", "Powder/Fill height=9 mm"});
+  write_tools(generated, scratch.path()); // the punch's face is drawn at 8 mm
+  auto const press =
+      tiny::press({"Tooling/Upper punch file=" + (scratch / "upper_punch.stl").string(),
+                   "Tooling/Die height=9 mm", "Powder/Fill height=9 mm"});
   std::vector<dem::SurfacePoint> found;
   tool_named(press.world, "upper_punch").surface.find({0.0, 0.0, 8.9e-3}, 1e-3, found);
   ASSERT_EQ(found.size(), 1u);
@@ -126,7 +131,8 @@ TEST(PressSetUp, SettlingIsAStageOfItsOwn) {
 }
 
 TEST(PressSetUp, TheWallsMaterialIsTheLastRowAndCarriesItsOwnInteraction) {
-  auto const materials = make_materials(tiny::read({"Contact/Particle-wall/Coefficient of static friction=0.7"}));
+  auto const materials =
+      make_materials(tiny::read({"Contact/Particle-wall/Coefficient of static friction=0.7"}));
   ASSERT_EQ(materials.size(), 3u);
   EXPECT_EQ(materials[2].young_modulus, 200e6);
   EXPECT_EQ(materials.pair(0, 2).interaction.static_friction, 0.7);
@@ -139,11 +145,13 @@ TEST(PressSetUp, TheStateOfARunIsAFilling) {
   ScratchFolder scratch;
   auto first = tiny::press({"Press programme/Stage 1/Gap=7 mm"});
   tiny::run(first, scratch.path(), "loading");
-  auto const next = tiny::press({"Powder/Fill method=state", "Powder/Fill file=" + scratch.path().string(),
-                                 "Powder/Fill height=7 mm"});
+  auto const next =
+      tiny::press({"Powder/Fill method=state", "Powder/Fill file=" + scratch.path().string(),
+                   "Powder/Fill height=7 mm"});
   ASSERT_EQ(next.world.grains.size(), first.world.grains.size());
   std::map<std::uint32_t, dem::Vec3> position;
-  for (std::size_t i = 0; i < first.world.grains.size(); ++i) position[first.world.grains.id[i]] = first.world.grains.position[i];
+  for (std::size_t i = 0; i < first.world.grains.size(); ++i)
+    position[first.world.grains.id[i]] = first.world.grains.position[i];
   for (std::size_t i = 0; i < next.world.grains.size(); ++i)
     EXPECT_EQ(next.world.grains.position[i], position.at(next.world.grains.id[i]));
   EXPECT_NEAR(next.grain_mass, first.grain_mass, 1e-12);
@@ -154,17 +162,23 @@ TEST(PressSetUp, TheStepIsTheCasesShareOfTheRayleighTime) {
   auto const& world = press.world;
   EXPECT_EQ(longest_step_of({.rayleigh_fraction = 0.07})(world), 0.07 * dem::rayleigh_time(world));
   // Nothing touches, so the adaptive step is held by the Rayleigh time alone.
-  EXPECT_EQ(longest_step_of({.adaptive = true, .safety = 0.5})(world), 0.2 * dem::rayleigh_time(world));
+  EXPECT_EQ(longest_step_of({.adaptive = true, .safety = 0.5})(world),
+            0.2 * dem::rayleigh_time(world));
 }
 
 TEST(PressSetUp, RefusesWhatOnlyGeometryShows) {
-  EXPECT_NE(refusal({"Powder/Fill method=state", "Powder/Fill file=nowhere"}).find("nowhere"), std::string::npos);
+  EXPECT_NE(refusal({"Powder/Fill method=state", "Powder/Fill file=nowhere"}).find("nowhere"),
+            std::string::npos);
   ScratchFolder scratch;
   write_tools(tiny::press(), scratch.path());
   auto const die = (scratch / "die.stl").string();
-  EXPECT_NE(refusal({"Tooling/Die file=" + die, "Tooling/Bore diameter=5.5 mm", "Powder/Fill height=8 mm", "Powder/Total mass=0.2 g"})
-                .find("its bore of 0.006 m diameter is not"), std::string::npos);
+  EXPECT_NE(refusal({"Tooling/Die file=" + die, "Tooling/Bore diameter=5.5 mm",
+                     "Powder/Fill height=8 mm", "Powder/Total mass=0.2 g"})
+                .find("its bore of 0.006 m diameter is not"),
+            std::string::npos);
   auto const punch = (scratch / "upper_punch.stl").string();
-  EXPECT_NE(refusal({"Tooling/Upper punch file=" + punch, "Tooling/Bore diameter=16 mm", "Powder/Total mass=0.3 g"})
-                .find("does not fit a bore of 0.016 m"), std::string::npos);
+  EXPECT_NE(refusal({"Tooling/Upper punch file=" + punch, "Tooling/Bore diameter=16 mm",
+                     "Powder/Total mass=0.3 g"})
+                .find("does not fit a bore of 0.016 m"),
+            std::string::npos);
 }
