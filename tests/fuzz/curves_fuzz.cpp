@@ -1,6 +1,8 @@
+// clang-format off
 // fuzz-build: coupling/record/atomic_file.cpp coupling/record/csv.cpp coupling/record/curves.cpp
 // fuzz-build: coupling/record/press_record.cpp
 // fuzz-build: -lfmt
+// clang-format on
 #include "coupling/record/curves.hpp"
 #include "dem/expect.hpp"
 

@@ -1,7 +1,9 @@
+// clang-format off
 // fuzz-build: coupling/record/atomic_file.cpp coupling/record/grains_check.cpp
 // fuzz-build: coupling/record/h5_id.cpp coupling/record/h5_reader.cpp coupling/record/h5_writer.cpp
 // fuzz-build: coupling/record/restart_file.cpp coupling/record/seal.cpp -lhdf5_openmpi -lfmt
 // fuzz-build: -isystem /usr/include/hdf5/openmpi -isystem /usr/include/x86_64-linux-gnu/mpi
+// clang-format on
 #include "coupling/record/atomic_file.hpp"
 #include "coupling/record/restart_file.hpp"
 #include "dem/expect.hpp"

@@ -1,8 +1,10 @@
+// clang-format off
 // fuzz-build: dem/surface/box_tree.cpp dem/surface/closest_point.cpp dem/surface/curve_sides.cpp
 // fuzz-build: dem/surface/fit_shape.cpp dem/surface/rim_contact.cpp dem/surface/smooth_patches.cpp
 // fuzz-build: dem/surface/smooth_surface.cpp dem/surface/stl.cpp dem/surface/stl_facets.cpp
 // fuzz-build: dem/surface/surface_edges.cpp dem/surface/surface_report.cpp
-// dem/surface/surface_search.cpp fuzz-build: dem/surface/weld.cpp
+// fuzz-build: dem/surface/surface_search.cpp dem/surface/weld.cpp
+// clang-format on
 #include "dem/expect.hpp"
 #include "dem/surface/smooth_surface.hpp"
 #include "dem/surface/stl.hpp"
