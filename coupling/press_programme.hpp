@@ -55,7 +55,7 @@ class PressProgramme {
 public:
   /// The longest step [s] that the present state allows.
   using LongestStep = std::function<double(dem::World const&)>;
-  static constexpr std::uint64_t renewal = 50; ///< steps
+  static constexpr std::uint64_t renewal = 400; ///< steps
 
   /// @param adaptive  ask for the longest step again every `renewal` steps, not only when a stage
   /// starts

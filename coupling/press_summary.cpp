@@ -39,7 +39,8 @@ std::vector<Check> checks_of(Press const& press) {
           upper_bound("largest overlap / smaller radius", tally.max_relative_overlap,
                       press.setup.time_stepping.max_relative_overlap),
           upper_bound("time step / Hertz collision time", tally.step_to_collision,
-                      largest_step_to_collision)};
+                      largest_step_to_collision),
+          upper_bound("time step / stable step", tally.step_to_stable, 1.0)};
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "coupling/commands/commands.hpp"
 #include "coupling/commands/interrupt.hpp"
 #include "coupling/press_cycle.hpp"
+#include "coupling/record/atomic_file.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -21,6 +22,21 @@ int report_interruption(RunFolder const& folder, Press const& press) {
   std::cerr << fmt::format("interrupted at t = {:.6g} s; {}. Continue with: presscheck resume {}\n",
                            press.world.time, folder.last_restart(), folder.path().string());
   return interrupted;
+}
+
+/// Runs, and adds to the reason of a stop from where one can go on.
+RunEnd run_cycle(Press& press, RunFolder& folder, Progress& progress, std::string const& until) {
+  PressCycle cycle(press, folder, progress, InterruptWatch::is_requested);
+  try {
+    return cycle.run(until);
+  } catch (dem::PhysicsGuard const& guard) {
+    progress.finish();
+    folder.write_curves(press);
+    throw dem::PhysicsGuard(fmt::format("{}; {}", guard.what(), folder.last_restart()));
+  } catch (WriteFailed const& full) {
+    progress.finish();
+    throw WriteFailed(fmt::format("{}; {}", full.what(), folder.last_restart()));
+  }
 }
 
 void report_end(RunFolder const& folder, Press const& press, RunEnd end) {
@@ -63,15 +79,7 @@ int execute(Press& press, Execution const& how) {
     folder.write_inputs(press);
   Progress progress(std::cerr, progress_style(STDERR_FILENO, how.quiet));
   InterruptWatch const watch;
-  PressCycle cycle(press, folder, progress, InterruptWatch::is_requested);
-  RunEnd end;
-  try {
-    end = cycle.run(how.until);
-  } catch (dem::PhysicsGuard const& guard) {
-    progress.finish();
-    folder.write_curves(press);
-    throw dem::PhysicsGuard(fmt::format("{}; {}", guard.what(), folder.last_restart()));
-  }
+  RunEnd const end = run_cycle(press, folder, progress, how.until);
   progress.finish();
   if (end == RunEnd::interrupted) {
     folder.write_curves(press);

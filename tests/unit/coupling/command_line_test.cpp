@@ -146,15 +146,20 @@ TEST(CommandLine, AnUnwritableFolderIsRefused) {
   expect_refused(run({"run", tiny_case(), "-o", (scratch / "file").string()}), "is a file");
 }
 
-TEST(CommandLine, AFullDiskIsAFailureInOneLine) {
+TEST(CommandLine, AFullDiskIsAFailureInOneLineAndKeepsTheLastRestart) {
   ScratchFolder scratch;
-  // 4 blocks of 512 bytes: the case fits, the tools' surfaces do not.
-  auto const outcome =
-      program::run_after("ulimit -f 4", {"run", tiny_case(), "-o", (scratch / "out").string(),
-                                         "--quiet", "--threads", "1"});
-  EXPECT_NE(outcome.status, 0);
-  EXPECT_LT(outcome.status, 128);
+  auto const folder = (scratch / "out").string();
+  // 230 blocks of 512 bytes, 118 kB: the restart after loading fits (106 kB), the next one does not
+  // (119 kB).
+  auto const outcome = program::run_after(
+      "ulimit -f 230", {"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1"});
+  EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
+  EXPECT_NE(outcome.error.find("restart_stage_unloading.h5"), std::string::npos) << outcome.error;
+  EXPECT_NE(outcome.error.find("the last good restart is " + folder + "/restart_stage_loading.h5"),
+            std::string::npos)
+      << outcome.error;
+  EXPECT_EQ(run({"resume", folder, "--quiet", "--threads", "1"}).status, 0);
 }
 
 TEST(CommandLine, DamagedRestartsAreRefused) {
