@@ -20,23 +20,23 @@ double area(dem::TriangleSurface const& surface, std::array<std::uint32_t, 3> co
 
 } // namespace
 
-GrainFields grain_fields(dem::World const& world, std::span<dem::Contact const> contacts) {
+GrainFields grain_fields(dem::World const& world, dem::ContactStream const& contacts) {
   std::size_t const n = world.grains.size();
   GrainFields fields{.mean_overlap = std::vector<double>(n, 0.0),
                      .pressure = std::vector<double>(n, 0.0),
                      .n_contacts = std::vector<std::uint32_t>(n, 0)};
-  for (dem::Contact const& contact : contacts) {
+  contacts.for_each([&](dem::Contact const& contact) {
     add_contact(fields, world, contact.i, contact, contact.force);
     if (contact.j != dem::Contact::none)
       add_contact(fields, world, contact.j, contact, -contact.force);
-  }
+  });
   for (std::size_t i = 0; i < n; ++i)
     if (fields.n_contacts[i] > 0)
       fields.mean_overlap[i] /= fields.n_contacts[i];
   return fields;
 }
 
-ToolFields tool_fields(dem::World const& world, std::span<dem::Contact const> contacts) {
+ToolFields tool_fields(dem::World const& world, dem::ContactStream const& contacts) {
   ToolFields fields;
   std::vector<std::size_t> first_triangle(world.tools.size());
   for (std::size_t t = 0; t < world.tools.size(); ++t) {
@@ -53,15 +53,15 @@ ToolFields tool_fields(dem::World const& world, std::span<dem::Contact const> co
     fields.tool.resize(fields.triangles.size(), static_cast<std::uint8_t>(t));
   }
   fields.traction.assign(fields.triangles.size(), dem::Vec3::Zero());
-  for (dem::Contact const& contact : contacts) {
+  contacts.for_each([&](dem::Contact const& contact) {
     if (contact.tool == dem::Contact::none || contact.triangle == dem::Contact::none)
-      continue;
+      return;
     dem::TriangleSurface const& surface = world.tools[contact.tool].surface.triangles();
     if (contact.triangle >= surface.triangles.size())
-      continue; // an exact wall has none
+      return; // an exact wall has none
     fields.traction[first_triangle[contact.tool] + contact.triangle] -=
         contact.force / area(surface, surface.triangles[contact.triangle]);
-  }
+  });
   return fields;
 }
 

@@ -21,7 +21,7 @@ struct GrainFields {
 /// Pressure of a grain from the forces on it:  p = -1/(3 V) sum over contacts of (x_c - x) . f,  V
 /// = 4/3 pi R^3. Source: Christoffersen, Mehrabadi and Nemat-Nasser, J. Appl. Mech. 48 (1981) 339
 /// (volume average of stress).
-GrainFields grain_fields(dem::World const& world, std::span<dem::Contact const> contacts);
+GrainFields grain_fields(dem::World const& world, dem::ContactStream const& contacts);
 
 /// The surfaces of all present tools where they stand, as one.
 struct ToolFields {
@@ -31,6 +31,6 @@ struct ToolFields {
   std::vector<dem::Vec3> traction; ///< [Pa], force of the grains / area, per triangle
 };
 
-ToolFields tool_fields(dem::World const& world, std::span<dem::Contact const> contacts);
+ToolFields tool_fields(dem::World const& world, dem::ContactStream const& contacts);
 
 } // namespace coupling

@@ -38,6 +38,7 @@ RunEnd PressCycle::run(std::string const& last_stage) {
       save_if_due();
       if (stop_is_requested_()) {
         keep_clock();
+        dem::complete_step(press_.world);
         folder_.write_restart(press_);
         return RunEnd::interrupted;
       }
@@ -62,11 +63,7 @@ void PressCycle::begin() {
 void PressCycle::start_stage() {
   dem::World& world = press_.world;
   bool const releases = press_.programme.stage().kind == StageKind::release;
-  auto const& tools = press_.programme.stage().tools;
-  bool const releases_die = releases && std::ranges::count(tools, "die") > 0;
   double const before = releases ? total_energy(world) : 0.0;
-  if (releases_die)
-    measure_compact(press_);
   press_.programme.start_stage(world);
   if (!releases)
     return;
@@ -74,7 +71,7 @@ void PressCycle::start_stage() {
   dem::prepare(world);
   press_.tally.released_energy += before - total_energy(world);
   press_.tally.axial_force = axial_force_on_grains(press_);
-  if (releases_die)
+  if (std::ranges::count(press_.programme.stage().tools, "die") > 0)
     measure_released_shape(press_);
 }
 
@@ -82,7 +79,7 @@ void PressCycle::step() {
   dem::World& world = press_.world;
   PressTally& tally = press_.tally;
   double const dt = press_.programme.command_step(world);
-  dem::advance(world, dt);
+  dem::advance_ahead(world, dt);
   press_.programme.step_done(world);
   guard_step(world);
 
@@ -120,6 +117,7 @@ void PressCycle::record() {
                         press_.record.stages().back() == press_.programme.stage().name;
   if (is_there)
     return;
+  dem::complete_step(press_.world);
   tally.last_record = press_.world.time;
   tally.seen_peak = tally.max_force;
   Reading const now = read_press(press_);
@@ -148,12 +146,14 @@ void PressCycle::save_if_due() {
                                                  (1.0 - rounding)) {
     tally.n_snapshots =
         static_cast<std::uint64_t>(std::floor(press_.world.time / interval * (1.0 + rounding)));
+    dem::complete_step(press_.world);
     folder_.write_snapshot(press_);
   }
   auto const seconds = std::chrono::duration<double>(Clock::now() - last_restart_).count();
   if (seconds < press_.setup.output.restart_interval)
     return;
   keep_clock();
+  dem::complete_step(press_.world);
   folder_.write_restart(press_);
   folder_.write_curves(press_);
   last_restart_ = Clock::now();
@@ -161,6 +161,7 @@ void PressCycle::save_if_due() {
 
 void PressCycle::finish_stage() {
   PressProgramme& programme = press_.programme;
+  dem::complete_step(press_.world);
   std::string const name = programme.stage().name;
   bool const is_free = programme.stage().kind == StageKind::free;
   press_.tally.step_to_stable = std::max(
@@ -169,6 +170,11 @@ void PressCycle::finish_stage() {
   if (is_free)
     measure_final_shape(press_);
   programme.finish_stage(press_.world);
+  // The seed's porosity is that of the compact that lies unloaded in its die; a press that ends
+  // under load is measured there.
+  bool const is_unloaded = squeezing_force(tool_named(press_.world, "upper_punch")) == 0.0;
+  if (tool_named(press_.world, "die").present && (is_unloaded || programme.is_done()))
+    measure_compact(press_);
   if (programme.is_done())
     conclude();
   keep_clock();
@@ -177,9 +183,6 @@ void PressCycle::finish_stage() {
 }
 
 void PressCycle::conclude() {
-  // A press that keeps its die is measured where it ends.
-  if (std::isnan(press_.tally.compact_height))
-    measure_compact(press_);
   if (press_.setup.output.snapshot_interval > 0.0)
     folder_.write_snapshot(press_);
 }

@@ -141,7 +141,7 @@ std::vector<double> row_of(Reading const& r) {
 
 Reading read_press(Press const& press) {
   dem::World const& world = press.world;
-  auto const statistics = dem::measure_contacts(world.grains, dem::list_contacts(world));
+  auto const statistics = dem::measure_contacts(world.grains, dem::ContactStream(world));
   Reading r;
   r.time = world.time;
   r.punch_gap = punch_gap(world, press.programme.faces());
@@ -177,7 +177,7 @@ double axial_momentum(dem::World const& world) {
 
 void measure_compact(Press& press) {
   dem::Spheres const& grains = press.world.grains;
-  auto const contacts = dem::list_contacts(press.world);
+  dem::ContactStream const contacts(press.world);
   double const bore = 0.5 * press.setup.tooling.bore_diameter;
   double const floor = floor_of(press);
   auto const seed = dem::seed_porosity(grains, contacts, bore, floor);

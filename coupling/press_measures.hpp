@@ -52,7 +52,7 @@ double total_energy(dem::World const& world);
 double axial_force_on_grains(Press const& press); ///< [N]
 double axial_momentum(dem::World const& world);   ///< [N s]
 
-/// Takes porosities and height of the compact into the tally: at the end of unloading.
+/// Takes porosities and height of the compact into the tally: at the end of a stage.
 void measure_compact(Press& press);
 
 /// Takes the compact's shape when the die has been released, and compares it with that later.

@@ -74,7 +74,7 @@ void RunFolder::write_snapshot(Press& press) {
   press.tally.last_snapshot = press.world.time;
   fs::create_directories(folder_ / "snapshots");
   auto const index = grains_.size();
-  auto const contacts = dem::list_contacts(press.world);
+  dem::ContactStream const contacts(press.world);
   auto const grains = snapshot_name("grains", index, "vtu");
   auto const tools = snapshot_name("tools", index, "vtu");
   write_grains(press, folder_ / grains, grain_fields(press.world, contacts));

@@ -11,7 +11,7 @@ namespace coupling {
 namespace {
 
 std::vector<PicturedGrain> picture(Press const& press) {
-  auto const fields = grain_fields(press.world, dem::list_contacts(press.world));
+  auto const fields = grain_fields(press.world, dem::ContactStream(press.world));
   dem::Spheres const& grains = press.world.grains;
   std::vector<PicturedGrain> pictured;
   pictured.reserve(grains.size());

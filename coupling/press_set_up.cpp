@@ -85,15 +85,15 @@ void check_overlaps(Case const& setup, dem::World const& world) {
   std::size_t n_deep = 0;
   double worst = 0.0;
   dem::Spheres const& grains = world.grains;
-  for (dem::Contact const& contact : dem::list_contacts(world)) {
+  dem::ContactStream(world).for_each([&](dem::Contact const& contact) {
     if (contact.j == dem::Contact::none)
-      continue;
+      return;
     double const relative =
         contact.overlap / std::min(grains.radius[contact.i], grains.radius[contact.j]);
     if (relative > setup.time_stepping.max_relative_overlap)
       ++n_deep;
     worst = std::max(worst, relative);
-  }
+  });
   VALIDATE(n_deep == 0,
            fmt::format("{}: {} pairs of grains overlap by more than {:.3g} of the smaller radius "
                        "at the start (the worst by "

@@ -17,6 +17,9 @@ namespace {
 
 constexpr int n_timed_steps = 41;
 
+// What the engine is allowed, its contacts included.
+constexpr double bytes_a_pressed_grain = 1000.0;
+
 // A step of the pressed bed costs about so many times a step of the filling, measured over the
 // seed's cycle.
 constexpr double pressed_to_loose = 5.0;
@@ -93,7 +96,9 @@ int check(CaseChoice const& choice) {
     say("stage " + press.programme.stages()[k].name, fmt::format("{:.6g} s", lengths[k]));
   say("simulated time", fmt::format("{:.6g} s", simulated));
   say("steps", fmt::format("{:.0f}", steps));
-  say("memory", fmt::format("{:.1f} MB", 1e-6 * costs.bytes));
+  say("memory",
+      fmt::format("{:.1f} MB as loose as now, below {:.1f} MB pressed", 1e-6 * costs.bytes,
+                  1e-6 * bytes_a_pressed_grain * static_cast<double>(press.world.grains.size())));
   say("estimated duration",
       fmt::format("{:.0f} s to {:.0f} s (as loose as now; pressed)", steps * costs.seconds_a_step,
                   pressed_to_loose * steps * costs.seconds_a_step));

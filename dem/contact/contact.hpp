@@ -3,6 +3,8 @@
 #include "dem/vec3.hpp"
 
 #include <cstdint>
+#include <functional>
+#include <span>
 #include <vector>
 
 namespace dem {
@@ -31,5 +33,23 @@ struct Contact {
 
 /// Every active contact, sorted by (id of i, id of j or tool and patch).
 std::vector<Contact> list_contacts(World const& world);
+
+/// Contacts to be looked at one after the other: those of a list, or those of a world, which are
+/// then never all in memory at once.
+class ContactStream {
+public:
+  using Visit = std::function<void(Contact const&)>;
+  ContactStream() = default;
+  ContactStream(std::span<Contact const> contacts) : contacts_(contacts) {}
+  ContactStream(std::vector<Contact> const& contacts) : contacts_(contacts) {}
+  explicit ContactStream(World const& world) : world_(&world) {}
+
+  /// Every active contact, in the order of the list, or of the world's rows.
+  void for_each(Visit const& visit) const;
+
+private:
+  std::span<Contact const> contacts_;
+  World const* world_ = nullptr; ///< read instead of the list unless null
+};
 
 } // namespace dem

@@ -3,6 +3,9 @@
 #include "dem/contact/contact_store.hpp"
 #include "dem/step/world.hpp"
 
+#include <algorithm>
+#include <tuple>
+
 namespace dem {
 
 ContactEngine::ContactEngine() : ContactEngine(ContactChoice{}) {}
@@ -28,14 +31,14 @@ void ContactEngine::refresh(World& world, double dt) {
 void ContactEngine::sweep(World& world, double dt) {
   store_->sweep(world, dt);
 }
-void ContactEngine::gather_and_kick(World& world, double dt) {
-  store_->gather_and_kick(world, dt);
+void ContactEngine::complete(World& world) {
+  store_->complete(world);
 }
 void ContactEngine::evaluate(World& world) {
   store_->evaluate(world);
 }
-std::vector<Contact> ContactEngine::list(World const& world) const {
-  return store_->list(world);
+void ContactEngine::visit(World const& world, ContactStream::Visit const& visit) const {
+  store_->visit(world, visit);
 }
 StoredEnergy ContactEngine::energy(World const& world) const {
   return store_->energy(world);
@@ -59,8 +62,22 @@ std::unique_ptr<ContactEngine::Store> make_store(ContactChoice const& choice) {
   return std::make_unique<TypedStore<double>>(choice);
 }
 
+void ContactStream::for_each(Visit const& visit) const {
+  if (world_ != nullptr)
+    world_->contacts.visit(*world_, visit);
+  for (Contact const& contact : contacts_)
+    visit(contact);
+}
+
 std::vector<Contact> list_contacts(World const& world) {
-  return world.contacts.list(world);
+  std::vector<Contact> contacts;
+  world.contacts.visit(world, [&](Contact const& c) { contacts.push_back(c); });
+  auto const& id = world.grains.id;
+  std::ranges::sort(contacts, {}, [&](Contact const& c) {
+    return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1,
+                      c.j == Contact::none ? c.tool : id[c.j], c.patch);
+  });
+  return contacts;
 }
 
 } // namespace dem

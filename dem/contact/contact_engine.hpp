@@ -42,26 +42,27 @@ public:
 
   ContactChoice const& choice() const { return choice_; }
 
-  /// The parts of a step, in their order. The first and the last run over the grains anyway, so
-  /// they also carry what the sweep needs from each grain and to it: one pass through memory
-  /// instead of three.
+  /// The parts of a step, in their order. The first also carries what the sweep needs from each
+  /// grain and, if the step before was left open, its loads and second half kick: one pass through
+  /// memory instead of three.
   /// @param dt  step [s]
 
-  /// First half kick and drift of every grain. @returns power of gravity over the drift [W]
+  /// Half kick and drift of every grain. @returns power of gravity over the drift [W]
   double kick_and_drift(World& world, double dt);
   /// Brings the lists up to date with the present positions; grains may be put in a new order.
   void refresh(World& world, double dt);
   /// Forces of the present positions with the half-step velocities into load buffers, tools and
   /// energy tally; springs advance by dt.
   void sweep(World& world, double dt);
-  /// Sums the loads of every grain and gives the second half kick.
-  void gather_and_kick(World& world, double dt);
+  /// Sums the loads of every grain and gives the second half kick of the last sweep's step, unless
+  /// that is done.
+  void complete(World& world);
 
   /// Lists and forces of the present state; nothing moves, no spring advances.
   void evaluate(World& world);
 
-  /// Every active contact in full precision, with the springs as they are, sorted by ids.
-  std::vector<Contact> list(World const& world) const;
+  /// Every active contact in full precision, with the springs as they are, in the order of rows.
+  void visit(World const& world, ContactStream::Visit const& visit) const;
 
   StoredEnergy energy(World const& world) const;
 

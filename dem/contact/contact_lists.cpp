@@ -45,19 +45,17 @@ template <class T> bool remembers(ContactBlock<T> const& block, std::size_t k) {
   return false;
 }
 
-} // namespace
-
-template <class T>
-CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
-                         std::size_t n_grains) {
-  std::vector<CarriedContact<T>> found;
+/// visit(contact) for every contact that remembers something, in the old order.
+template <class T, class Visit>
+void for_each_carried(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+                      Visit&& visit) {
   auto const take = [&](ContactBlock<T> const& block, std::size_t at, CarriedContact<T> c,
                         bool is_wall) {
     if (!remembers(block, at))
       return;
     for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
       c.memory[s] = block.memory_stream(s)[at];
-    found.push_back(renumber(c, new_row, is_wall));
+    visit(renumber(c, new_row, is_wall));
   };
   for (ContactBlock<T> const& block : lists.blocks) {
     for (std::size_t k = 0; k < block.n_pairs; ++k)
@@ -71,15 +69,20 @@ CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t c
       take(block, block.wall_offset + k,
            {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
   }
+}
+
+} // namespace
+
+template <class T>
+CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+                         std::size_t n_grains) {
   CarriedContacts<T> carried;
   carried.start.assign(n_grains + 1, 0);
-  for (auto const& c : found)
-    ++carried.start[c.owner + 1];
+  for_each_carried(lists, new_row, [&](auto const& c) { ++carried.start[c.owner + 1]; });
   std::partial_sum(carried.start.begin(), carried.start.end(), carried.start.begin());
-  carried.row.resize(found.size());
+  carried.row.resize(carried.start.back());
   std::vector<std::uint32_t> next(carried.start.begin(), carried.start.end() - 1);
-  for (auto const& c : found)
-    carried.row[next[c.owner]++] = c;
+  for_each_carried(lists, new_row, [&](auto const& c) { carried.row[next[c.owner]++] = c; });
   return carried;
 }
 
@@ -88,9 +91,10 @@ template <class T> void build_outer(World const& world, double reach, ContactLis
   std::vector<double> total(n);
   for (std::size_t i = 0; i < n; ++i)
     total[i] = world.grains.radius[i] + lists.outer.skin[i] + 0.5 * reach;
+  lists.pairs = {}; // the old list goes before the new one comes
   lists.pairs = find_pairs(lists.outer.position, total);
 
-  std::vector<std::vector<std::uint32_t>> near(n);
+  std::vector<std::vector<NearTool>> near(n);
 #pragma omp parallel for schedule(dynamic, 256) if (n > 256)
   for (std::size_t i = 0; i < n; ++i)
     near[i] = tools_near(world, lists.outer, i, reach);
@@ -106,8 +110,8 @@ template <class T>
 void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoice const& choice,
                  double reach, CarriedContacts<T> const& carried, ContactLists<T>& lists) {
   std::size_t const n = world.grains.size();
-  std::size_t const block_rows =
-      n < 8192 ? 256 : 512; // of n alone: the same bits on any number of threads
+  // Of n alone: the same bits on any number of threads.
+  std::size_t const block_rows = lists.block_rows = n < 8192 ? 256 : 512;
   PairTable const table(world.materials);
   lists.blocks.resize((n + block_rows - 1) / block_rows);
 #pragma omp parallel for schedule(dynamic, 1) if (lists.blocks.size() > 1)

@@ -62,11 +62,19 @@ private:
   std::vector<PairMaterial> pairs_;
 };
 
+/// A tool that a grain may reach while the outer list holds.
+struct NearTool {
+  static constexpr std::uint32_t searched = 0xffffffffu;
+  std::uint32_t tool;
+  std::uint32_t patch; ///< the only one in reach, met inside its rim all the while, or `searched`
+};
+
 template <class T> struct ContactLists {
   ListAge outer, inner;
   PairList pairs;                             ///< outer list
   std::vector<std::uint32_t> near_tool_start; ///< CSR: tools near each grain, outer list
-  std::vector<std::uint32_t> near_tool;
+  std::vector<NearTool> near_tool;
+  std::size_t block_rows = 1; ///< rows of every block but the last
   std::vector<ContactBlock<T>> blocks;
   std::vector<std::uint32_t>
       halo_start; ///< CSR by grain: foreign loads to be gathered, in block order

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 /// What is asked of the contacts between steps: listing, energies, the stable step, capture and
 /// restore. All of it in full precision and one contact at a time.
@@ -45,6 +44,14 @@ ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t 
           .velocity = triple(g.velocity[i] - tool.velocity),
           .spin_i = triple(g.spin[i]),
           .spin_j = {0.0, 0.0, 0.0}};
+}
+
+double overlap_of(ContactInput<double> const& in) {
+  return in.square_gap / (in.radius_sum + vec3(in.separation).norm());
+}
+
+bool touches(ContactInput<double> const& in, ContactMemory<double> const& memory) {
+  return in.square_gap > 0.0 || memory.normal >= 0.5;
 }
 
 } // namespace
@@ -95,63 +102,64 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
   }
 }
 
-/// Runs over the blocks in parallel, each with a result of its own, and hands the results back in
-/// block order.
+/// Runs over the blocks [first, end) in parallel, each with a result of its own, and hands the
+/// results back in block order.
 template <class T>
 template <class Result, class Visit>
-std::vector<Result> TypedStore<T>::per_block(World const& world, Visit&& visit) const {
-  std::vector<Result> results(lists_.blocks.size());
+std::vector<Result> TypedStore<T>::per_block(World const& world, std::size_t first, std::size_t end,
+                                             Visit&& visit) const {
+  std::vector<Result> results(end - first);
   PairTable const table(world.materials);
 #pragma omp parallel for schedule(dynamic, 1) if (results.size() > 1)
   for (std::size_t b = 0; b < results.size(); ++b)
     for_each_contact(
-        world, table, lists_.blocks[b],
+        world, table, lists_.blocks[first + b],
         [&](Contact const& c, ContactInput<double> const& in, double const* constants,
             ContactMemory<double> const& memory) { visit(results[b], c, in, constants, memory); });
   return results;
 }
 
-template <class T> std::vector<Contact> TypedStore<T>::list(World const& world) const {
+template <class T>
+void TypedStore<T>::visit(World const& world, ContactStream::Visit const& look) const {
+  // So many blocks at once keep some threads busy and the memory small.
+  constexpr std::size_t at_once = 16;
   ModelSwitches<double> const switches{.cohesion_in_limit =
                                            choice_.friction_limit == "net" ? 1.0 : 0.0,
                                        .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
-  auto const parts = per_block<std::vector<Contact>>(
-      world, [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in,
-                 double const* constants, ContactMemory<double> const& memory) {
-        ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
-        if (out.overlap <= 0.0 && memory.normal < 0.5)
-          return;
-        c.normal = vec3(in.separation).normalized();
-        c.overlap = out.overlap;
-        c.normal_force = out.normal_force;
-        c.cohesive_force = out.cohesive_force;
-        c.force = vec3(out.force);
-        c.tangential_force = c.force - out.normal_force * c.normal;
-        if (c.tool == Contact::none)
-          c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
-        else if (c.triangle == Contact::none)
-          c.triangle = world.tools[c.tool].surface.triangle_at(
-              c.patch, c.point - world.tools[c.tool].displacement);
-        part.push_back(c);
-      });
-  std::vector<Contact> contacts;
-  for (auto const& part : parts)
-    contacts.insert(contacts.end(), part.begin(), part.end());
-  auto const& id = world.grains.id;
-  std::ranges::sort(contacts, {}, [&](Contact const& c) {
-    return std::tuple(id[c.i], c.tool == Contact::none ? 0 : 1,
-                      c.j == Contact::none ? c.tool : id[c.j], c.patch);
-  });
-  return contacts;
+  auto const complete = [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in,
+                            double const* constants, ContactMemory<double> const& memory) {
+    ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
+    if (out.overlap <= 0.0 && memory.normal < 0.5)
+      return;
+    c.normal = vec3(in.separation).normalized();
+    c.overlap = out.overlap;
+    c.normal_force = out.normal_force;
+    c.cohesive_force = out.cohesive_force;
+    c.force = vec3(out.force);
+    c.tangential_force = c.force - out.normal_force * c.normal;
+    if (c.tool == Contact::none)
+      c.point = world.grains.position[c.i] - (in.radius_i - 0.5 * out.overlap) * c.normal;
+    else if (c.triangle == Contact::none)
+      c.triangle = world.tools[c.tool].surface.triangle_at(
+          c.patch, c.point - world.tools[c.tool].displacement);
+    part.push_back(c);
+  };
+  std::size_t const n_blocks = lists_.blocks.size();
+  for (std::size_t first = 0; first < n_blocks; first += at_once)
+    for (auto const& part : per_block<std::vector<Contact>>(
+             world, first, std::min(first + at_once, n_blocks), complete))
+      for (Contact const& contact : part)
+        look(contact);
 }
 
 template <class T> StoredEnergy TypedStore<T>::energy(World const& world) const {
   auto const parts = per_block<StoredEnergy>(
-      world, [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in,
-                 double const* constants, ContactMemory<double> const& memory) {
-        double const overlap = in.square_gap / (in.radius_sum + vec3(in.separation).norm());
-        if (overlap <= 0.0 && memory.normal < 0.5)
+      world, 0, lists_.blocks.size(),
+      [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in,
+          double const* constants, ContactMemory<double> const& memory) {
+        if (!touches(in, memory))
           return;
+        double const overlap = overlap_of(in);
         auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
         part.elastic += e.elastic;
         part.cohesive += e.cohesive;
@@ -164,10 +172,11 @@ template <class T> StoredEnergy TypedStore<T>::energy(World const& world) const 
 
 template <class T> double TypedStore<T>::stable_step(World const& world) const {
   auto const parts = per_block<std::vector<LinearContact>>(
-      world, [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
-                 double const* constants, ContactMemory<double> const&) {
+      world, 0, lists_.blocks.size(),
+      [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
+          double const* constants, ContactMemory<double> const&) {
         Vec3 const separation = vec3(in.separation);
-        double const overlap = in.square_gap / (in.radius_sum + separation.norm());
+        double const overlap = overlap_of(in);
         if (overlap <= 0.0)
           return;
         auto const s = kernel_.stiffness(constants, overlap);
@@ -191,7 +200,11 @@ template <class T> ListStatistics TypedStore<T>::statistics(World const& world) 
   ListStatistics s{.outer_builds = lists_.outer_builds,
                    .inner_builds = lists_.inner_builds,
                    .seconds = build_seconds_};
-  s.active = list(world).size();
+  for (auto const n : per_block<std::uint64_t>(
+           world, 0, lists_.blocks.size(),
+           [&](std::uint64_t&part, Contact const&, ContactInput<double> const&in, double const*,
+               ContactMemory<double> const&memory) { part += touches(in, memory); }))
+    s.active += n;
   auto const bytes = [](auto const&... v) { return ((v.capacity() * sizeof(v[0])) + ...); };
   for (ContactBlock<T> const& b : lists_.blocks) {
     s.listed += b.n_pairs + b.walls.size();
@@ -205,6 +218,7 @@ template <class T> ListStatistics TypedStore<T>::statistics(World const& world) 
 }
 
 template <class T> ContactState TypedStore<T>::capture() const {
+  EXPECT(!is_open_);
   ContactState state{.outer_position = lists_.outer.position,
                      .inner_position = lists_.inner.position,
                      .outer_skin = lists_.outer.skin,
@@ -240,6 +254,7 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
            "restart: the contact lists do not belong to these grains and tools. Is the file from "
            "another case?");
   lists_ = {};
+  is_open_ = false;
   lists_.outer = {state.outer_position, state.outer_skin, state.outer_tool, state.outer_tool_skin};
   lists_.inner = {state.inner_position, state.inner_skin, state.inner_tool, state.inner_tool_skin};
   double const beyond = reach(world);
@@ -267,8 +282,8 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
   }
 }
 
-template std::vector<Contact> TypedStore<float>::list(World const&) const;
-template std::vector<Contact> TypedStore<double>::list(World const&) const;
+template void TypedStore<float>::visit(World const&, ContactStream::Visit const&) const;
+template void TypedStore<double>::visit(World const&, ContactStream::Visit const&) const;
 template StoredEnergy TypedStore<float>::energy(World const&) const;
 template StoredEnergy TypedStore<double>::energy(World const&) const;
 template double TypedStore<float>::stable_step(World const&) const;

@@ -2,7 +2,6 @@
 
 #include "dem/contact/list_filter.hpp"
 #include "dem/expect.hpp"
-#include "dem/step/kick.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -169,13 +168,14 @@ template <class T> void TypedStore<T>::full_build(World& world, double dt) {
   std::vector<std::uint32_t> new_row(order.size());
   for (std::uint32_t k = 0; k < order.size(); ++k)
     new_row[order[k]] = k;
-  auto const carried = carry(lists_, new_row, world.grains.size());
   permute_grains(world.grains, order);
   SkinRules const rules = skin_rules(world, dt);
   lists_.outer = age_now(world, rules.outer);
   lists_.inner = age_now(world, rules.inner);
   double const beyond = reach(world);
   build_outer(world, beyond, lists_);
+  // After the outer list, so that the largest things are not held at once.
+  auto const carried = carry(lists_, new_row, world.grains.size());
   build_inner(world, kernel_, choice_, beyond, carried, lists_);
   ++lists_.outer_builds;
   ++lists_.inner_builds;
@@ -197,8 +197,12 @@ template <class T> double TypedStore<T>::kick_and_drift(World& world, double dt)
 #pragma omp parallel for schedule(static) reduction(&& : hold) if (n_chunks > 1)
   for (std::size_t c = 0; c < n_chunks; ++c) {
     double chunk_power = 0.0, square_speed = 0.0;
-    for (std::size_t i = c * chunk_rows; i < std::min(g.size(), (c + 1) * chunk_rows); ++i) {
-      half_kick(g, i, dt);
+    for (auto i = static_cast<std::uint32_t>(c * chunk_rows);
+         i < std::min(g.size(), (c + 1) * chunk_rows); ++i) {
+      GrainLoad const load = is_open_ ? load_of(world, i) : GrainLoad{g.force[i], g.torque[i]};
+      if (is_open_)
+        half_kick(g, i, load, open_step_);
+      half_kick(g, i, load, dt);
       g.position[i] += dt * g.velocity[i];
       write_record(g, i, places_[i], motions_[i]);
       chunk_power += g.mass[i] * world.gravity.dot(g.velocity[i]);
@@ -211,6 +215,7 @@ template <class T> double TypedStore<T>::kick_and_drift(World& world, double dt)
       hold = hold && chunk_holds(g, c);
   }
   grains_hold_ = hold;
+  is_open_ = false;
   double total = 0.0;
   for (double p : power)
     total += p;
@@ -237,7 +242,7 @@ template <class T> void TypedStore<T>::evaluate(World& world) {
     refresh(world, 1e-7);
   write_records(world);
   sweep(world, 0.0);
-  gather_and_kick(world, 0.0);
+  complete(world);
 }
 
 template <class T> void TypedStore<T>::write_records(World const& world) {
@@ -248,9 +253,8 @@ template <class T> void TypedStore<T>::write_records(World const& world) {
 }
 
 /// Own load first, then the foreign ones in the order of their blocks.
-template <class T>
-void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block,
-                                 std::uint32_t i) const {
+template <class T> GrainLoad TypedStore<T>::load_of(World const& world, std::uint32_t i) const {
+  ContactBlock<T> const& block = lists_.blocks[i / lists_.block_rows];
   LoadRecord<T> const& own = block.loads[i - block.first_row];
   Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
   for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
@@ -259,17 +263,21 @@ void TypedStore<T>::gather_loads(World& world, ContactBlock<T> const& block,
     force += Vec3(r.fx, r.fy, r.fz);
     torque += Vec3(r.tx, r.ty, r.tz);
   }
-  world.grains.force[i] = force + world.grains.mass[i] * world.gravity;
-  world.grains.torque[i] = torque;
+  return {force + world.grains.mass[i] * world.gravity, torque};
 }
 
-template <class T> void TypedStore<T>::gather_and_kick(World& world, double dt) {
+template <class T> void TypedStore<T>::complete(World& world) {
+  if (!is_open_)
+    return;
 #pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     for (std::uint32_t i = lists_.blocks[b].first_row; i < lists_.blocks[b].end_row; ++i) {
-      gather_loads(world, lists_.blocks[b], i);
-      half_kick(world.grains, i, dt);
+      GrainLoad const load = load_of(world, i);
+      world.grains.force[i] = load.force;
+      world.grains.torque[i] = load.torque;
+      half_kick(world.grains, i, load, open_step_);
     }
+  is_open_ = false;
 }
 
 /// Force of the grains on each tool, and the tool's work: half the force of the last step, half of
@@ -281,7 +289,7 @@ template <class T> void TypedStore<T>::tally_tools(World& world, double dt) cons
     for (WallContact const& wall : block.walls) {
       Vec3 const f(wall.fx, wall.fy, wall.fz);
       force[wall.tool] -= f;
-      double const r = std::hypot(wall.px, wall.py);
+      double const r = std::sqrt(wall.px * wall.px + wall.py * wall.py);
       if (r > 0.0)
         radial[wall.tool] -= (f.x() * wall.px + f.y() * wall.py) / r;
     }
@@ -304,6 +312,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
 #pragma omp parallel for schedule(dynamic, 1) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     kernel_.sweep(lists_.blocks[b], input);
+  open_step_ = dt;
+  is_open_ = true;
   tally_tools(world, dt);
   for (ContactBlock<T> const& block : lists_.blocks) {
     world.energy.normal_damping += dt * block.power.normal_loss;

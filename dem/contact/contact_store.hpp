@@ -2,6 +2,7 @@
 
 #include "dem/contact/contact_engine.hpp"
 #include "dem/contact/contact_lists.hpp"
+#include "dem/step/kick.hpp"
 
 namespace dem {
 
@@ -13,9 +14,9 @@ public:
   virtual double kick_and_drift(World& world, double dt) = 0;
   virtual void refresh(World& world, double dt) = 0;
   virtual void sweep(World& world, double dt) = 0;
-  virtual void gather_and_kick(World& world, double dt) = 0;
+  virtual void complete(World& world) = 0;
   virtual void evaluate(World& world) = 0;
-  virtual std::vector<Contact> list(World const& world) const = 0;
+  virtual void visit(World const& world, ContactStream::Visit const& visit) const = 0;
   virtual StoredEnergy energy(World const& world) const = 0;
   virtual double stable_step(World const& world) const = 0;
   virtual ListStatistics statistics(World const& world) const = 0;
@@ -35,9 +36,9 @@ public:
   double kick_and_drift(World& world, double dt) override;
   void refresh(World& world, double dt) override;
   void sweep(World& world, double dt) override;
-  void gather_and_kick(World& world, double dt) override;
+  void complete(World& world) override;
   void evaluate(World& world) override;
-  std::vector<Contact> list(World const& world) const override;
+  void visit(World const& world, ContactStream::Visit const& visit) const override;
   StoredEnergy energy(World const& world) const override;
   double stable_step(World const& world) const override;
   ListStatistics statistics(World const& world) const override;
@@ -53,19 +54,22 @@ private:
   bool try_inner_build(World const& world, double dt);
   void full_build(World& world, double dt);
   void write_records(World const& world);
-  void gather_loads(World& world, ContactBlock<T> const& block, std::uint32_t i) const;
+  GrainLoad load_of(World const& world, std::uint32_t i) const;
   void tally_tools(World& world, double dt) const;
   template <class Visit>
   void for_each_contact(World const& world, PairTable const& table, ContactBlock<T> const& block,
                         Visit&& visit) const;
   template <class Result, class Visit>
-  std::vector<Result> per_block(World const& world, Visit&& visit) const;
+  std::vector<Result> per_block(World const& world, std::size_t first, std::size_t end,
+                                Visit&& visit) const;
 
   ContactChoice choice_;
   ContactKernel<T> kernel_;
   ContactLists<T> lists_;
   std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
+  bool is_open_ = false;     ///< the grains still lack the loads and half kick of the last sweep
+  double open_step_ = 0.0;   ///< [s], of that sweep
   bool grains_hold_ = false; ///< no grain has left its inner skin since the last drift
   std::vector<double>
       travel_; ///< [m], bound on how far any grain of a chunk has moved since the last build

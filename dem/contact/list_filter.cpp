@@ -114,25 +114,31 @@ void list_walls(World const& world, double reach, ContactLists<T> const& lists,
   for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
     double const radius = world.grains.radius[i];
     for (std::uint32_t s = lists.near_tool_start[i]; s < lists.near_tool_start[i + 1]; ++s) {
-      std::uint32_t const t = lists.near_tool[s];
-      if (!world.tools[t].present)
+      auto const [t, patch] = lists.near_tool[s];
+      Tool const& tool = world.tools[t];
+      if (!tool.present)
         continue;
       double const travel = lists.inner.skin[i] + lists.inner.tool_skin[t];
+      Vec3 const centre = lists.inner.position[i] - lists.inner.tool[t];
+      bool const is_sure = patch != NearTool::searched;
       found.clear();
-      world.tools[t].surface.find(lists.inner.position[i] - lists.inner.tool[t],
-                                  radius + travel + reach, found);
+      if (is_sure)
+        found.push_back(tool.surface.on_patch(patch, centre));
+      else
+        tool.surface.find(centre, radius + travel + reach, found);
       for (SurfacePoint const& at : found)
-        block.walls.push_back({.owner = i,
-                               .tool = t,
-                               .patch = at.patch,
-                               .inside_rim = stays_inside(world.tools[t], at, radius, travel),
-                               .px = 0,
-                               .py = 0,
-                               .pz = 0,
-                               .fx = 0,
-                               .fy = 0,
-                               .fz = 0,
-                               .normal_force = 0});
+        if (at.distance <= radius + travel + reach)
+          block.walls.push_back({.owner = i,
+                                 .tool = t,
+                                 .patch = at.patch,
+                                 .inside_rim = is_sure || stays_inside(tool, at, radius, travel),
+                                 .px = 0,
+                                 .py = 0,
+                                 .pz = 0,
+                                 .fx = 0,
+                                 .fy = 0,
+                                 .fz = 0,
+                                 .normal_force = 0});
     }
   }
 }
@@ -150,19 +156,22 @@ PairSize wall_size(Spheres const& grains, std::size_t i) {
   return {.effective_radius = grains.radius[i], .effective_mass = grains.mass[i], .is_wall = true};
 }
 
-std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i,
-                                      double reach) {
-  std::vector<std::uint32_t> near;
+std::vector<NearTool> tools_near(World const& world, ListAge const& age, std::size_t i,
+                                 double reach) {
+  std::vector<NearTool> near;
   std::vector<SurfacePoint> found;
+  double const radius = world.grains.radius[i];
   for (std::uint32_t t = 0; t < world.tools.size(); ++t) {
-    if (!world.tools[t].present)
+    Tool const& tool = world.tools[t];
+    if (!tool.present)
       continue;
+    double const travel = age.skin[i] + age.tool_skin[t];
     found.clear();
-    world.tools[t].surface.find(age.position[i] - age.tool[t],
-                                world.grains.radius[i] + age.skin[i] + age.tool_skin[t] + reach,
-                                found);
-    if (!found.empty())
-      near.push_back(t);
+    tool.surface.find(age.position[i] - age.tool[t], radius + travel + reach, found);
+    if (found.empty())
+      continue;
+    bool const is_sure = found.size() == 1 && stays_inside(tool, found[0], radius, travel);
+    near.push_back({t, is_sure ? found[0].patch : NearTool::searched});
   }
   return near;
 }

@@ -5,8 +5,8 @@
 namespace dem {
 
 /// Tools that grain i may reach while `age` holds.
-std::vector<std::uint32_t> tools_near(World const& world, ListAge const& age, std::size_t i,
-                                      double reach);
+std::vector<NearTool> tools_near(World const& world, ListAge const& age, std::size_t i,
+                                 double reach);
 
 /// Fills one block of the inner list: pairs and walls of its rows with constants and carried
 /// histories.

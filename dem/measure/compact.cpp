@@ -41,22 +41,21 @@ double ranked_height(Spheres const& grains, double floor, double share) {
   return *at_rank - compact_extent(grains, floor).lowest;
 }
 
-double solid_volume(Spheres const& grains, std::span<Contact const> contacts, double floor) {
+double solid_volume(Spheres const& grains, ContactStream const& contacts, double floor) {
   double solid = 0.0, lenses = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
     if (is_in_compact(grains, i, floor))
       solid += sphere_volume(grains.radius[i]);
-  for (Contact const& contact : contacts) {
-    if (contact.j == Contact::none || !is_in_compact(grains, contact.i, floor) ||
-        !is_in_compact(grains, contact.j, floor))
-      continue;
-    lenses += contact_lens(grains, contact);
-  }
+  contacts.for_each([&](Contact const& contact) {
+    if (contact.j != Contact::none && is_in_compact(grains, contact.i, floor) &&
+        is_in_compact(grains, contact.j, floor))
+      lenses += contact_lens(grains, contact);
+  });
   return solid - lenses;
 }
 
-SeedPorosity seed_porosity(Spheres const& grains, std::span<Contact const> contacts,
-                           double bore_radius, double floor) {
+SeedPorosity seed_porosity(Spheres const& grains, ContactStream const& contacts, double bore_radius,
+                           double floor) {
   EXPECT(bore_radius > 0.0);
   Extent const extent = compact_extent(grains, floor);
   double const solid = solid_volume(grains, contacts, floor);

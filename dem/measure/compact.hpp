@@ -29,7 +29,7 @@ double ranked_height(Spheres const& grains, double floor, double share = 0.999);
 
 /// Volume of the compact's grains less their overlaps [m^3]:  sum 4/3 pi R^3 - sum lens.
 /// A place covered by three grains is subtracted once too often, as in the seed's definition.
-double solid_volume(Spheres const& grains, std::span<Contact const> contacts, double floor);
+double solid_volume(Spheres const& grains, ContactStream const& contacts, double floor);
 
 /// Porosity of the seed paper:  P = 1 - V_solid / (pi r^2 h),  h = highest minus lowest grain
 /// surface.
@@ -44,7 +44,7 @@ struct SeedPorosity {
 
 /// @param bore_radius  r [m], of the die, as the seed takes it also when the die is gone
 /// Source: Ramirez-Aragon et al., Metals 10 (2020), section 2.3; contact-law notes, section 5.
-SeedPorosity seed_porosity(Spheres const& grains, std::span<Contact const> contacts,
-                           double bore_radius, double floor);
+SeedPorosity seed_porosity(Spheres const& grains, ContactStream const& contacts, double bore_radius,
+                           double floor);
 
 } // namespace dem

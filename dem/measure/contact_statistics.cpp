@@ -1,24 +1,12 @@
 #include "dem/measure/contact_statistics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace dem {
 namespace {
-
-std::vector<std::uint32_t> count_per_grain(Spheres const& grains,
-                                           std::span<Contact const> contacts) {
-  std::vector<std::uint32_t> counts(grains.size(), 0);
-  for (Contact const& contact : contacts) {
-    if (contact.overlap <= 0.0)
-      continue;
-    ++counts[contact.i];
-    if (contact.j != Contact::none)
-      ++counts[contact.j];
-  }
-  return counts;
-}
 
 double ratio(double numerator, double denominator) {
   return denominator > 0.0 ? numerator / denominator : 0.0;
@@ -33,29 +21,32 @@ double contact_lens(Spheres const& grains, Contact const& contact) {
   return lens_volume(Ri, Rj, Ri + Rj - contact.overlap);
 }
 
-ContactStatistics measure_contacts(Spheres const& grains, std::span<Contact const> contacts) {
-  auto const counts = count_per_grain(grains, contacts);
-  auto const is_rattler = [&](std::uint32_t i) { return counts[i] <= 1; };
+ContactStatistics measure_contacts(Spheres const& grains, ContactStream const& contacts) {
+  std::vector<std::uint32_t> counts(grains.size(), 0);
+  std::vector<std::array<std::uint32_t, 2>> pairs;
   ContactStatistics result{};
-  double sum = 0.0, n_mechanical = 0.0;
-  for (Contact const& contact : contacts) {
+  double sum = 0.0;
+  contacts.for_each([&](Contact const& contact) {
     if (contact.overlap <= 0.0)
-      continue;
+      return;
     double const R = grains.radius[contact.i];
+    ++counts[contact.i];
     if (contact.j == Contact::none) {
       ++result.n_tool_contacts;
       result.max_relative_tool_overlap =
           std::max(result.max_relative_tool_overlap, contact.overlap / R);
-      continue;
+      return;
     }
-    ++result.n_grain_contacts;
+    ++counts[contact.j];
+    pairs.push_back({contact.i, contact.j});
     sum += contact.overlap;
     result.max_overlap = std::max(result.max_overlap, contact.overlap);
     result.max_relative_overlap = std::max(result.max_relative_overlap,
                                            contact.overlap / std::min(R, grains.radius[contact.j]));
-    if (!is_rattler(contact.i) && !is_rattler(contact.j))
-      n_mechanical += 1.0;
-  }
+  });
+  result.n_grain_contacts = pairs.size();
+  auto const n_mechanical = static_cast<double>(std::ranges::count_if(
+      pairs, [&](auto const& pair) { return counts[pair[0]] > 1 && counts[pair[1]] > 1; }));
   double const n_grains = static_cast<double>(grains.size());
   double const n_rattlers =
       static_cast<double>(std::ranges::count_if(counts, [](std::uint32_t n) { return n <= 1; }));

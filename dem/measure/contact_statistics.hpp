@@ -26,6 +26,6 @@ struct ContactStatistics {
   double rattler_share; ///< [1], of the grains: those with at most one contact, tools included
 };
 
-ContactStatistics measure_contacts(Spheres const& grains, std::span<Contact const> contacts);
+ContactStatistics measure_contacts(Spheres const& grains, ContactStream const& contacts);
 
 } // namespace dem

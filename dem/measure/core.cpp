@@ -149,19 +149,17 @@ CoreRegion find_core(Spheres const& grains, double radius, double floor, double 
   return map.core(floor);
 }
 
-double core_porosity(Spheres const& grains, std::span<Contact const> contacts,
-                     CoreRegion const& core) {
+double core_porosity(Spheres const& grains, ContactStream const& contacts, CoreRegion const& core) {
   if (!(core.volume() > 0.0))
     return 1.0;
   double solid = 0.0, lenses = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
     solid += volume_in_core(grains.position[i], grains.radius[i], core);
-  for (Contact const& contact : contacts) {
+  contacts.for_each([&](Contact const& contact) {
     double const lens = contact_lens(grains, contact);
-    if (lens <= 0.0)
-      continue;
-    lenses += volume_in_core(contact.point, std::cbrt(lens / (4.0 / 3.0 * pi)), core);
-  }
+    if (lens > 0.0)
+      lenses += volume_in_core(contact.point, std::cbrt(lens / (4.0 / 3.0 * pi)), core);
+  });
   return 1.0 - (solid - lenses) / core.volume();
 }
 

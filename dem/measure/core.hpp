@@ -37,7 +37,6 @@ CoreRegion find_core(Spheres const& grains, double radius, double floor, double 
 /// Porosity of a core:  1 - (sum of grain volumes in it - sum of overlap lenses in it) / volume.
 /// A lens at the region's surface is shared as a sphere of its volume at the contact point would
 /// be. 1 where the region is empty.
-double core_porosity(Spheres const& grains, std::span<Contact const> contacts,
-                     CoreRegion const& core);
+double core_porosity(Spheres const& grains, ContactStream const& contacts, CoreRegion const& core);
 
 } // namespace dem

@@ -169,8 +169,7 @@ double FieldGrid::cell_volume(int i_r) const {
   return pi * step * step * (2 * i_r + 1) * (top - bottom) / n_z;
 }
 
-Fields coarse_grain(Spheres const& grains, std::span<Contact const> contacts,
-                    FieldGrid const& grid) {
+Fields coarse_grain(Spheres const& grains, ContactStream const& contacts, FieldGrid const& grid) {
   validate(grid);
   Spreader const spreader(grid);
   Sums sums(grid.n_cells());
@@ -181,9 +180,10 @@ Fields coarse_grain(Spheres const& grains, std::span<Contact const> contacts,
     else
       mass_outside += grains.mass[i];
   }
-  for (Contact const& contact : contacts)
+  contacts.for_each([&](Contact const& contact) {
     if (spreader.holds(grains.position[contact.i]))
       spread_contact(sums, spreader, grains, contact, grid.kernel_width);
+  });
   Fields fields = divide(sums, grid);
   fields.mass_outside = mass_outside;
   return fields;

@@ -49,7 +49,6 @@ struct Fields {
 /// branch 2 Gauss points each c of its length. Source: Goldhirsch, Granul. Matter 12 (2010) 239,
 /// eqs 12 and 27; Lucy, Astron. J. 82 (1977) 1013.
 /// @throws InvalidInput if the grid has no room or the kernel is too wide
-Fields coarse_grain(Spheres const& grains, std::span<Contact const> contacts,
-                    FieldGrid const& grid);
+Fields coarse_grain(Spheres const& grains, ContactStream const& contacts, FieldGrid const& grid);
 
 } // namespace dem

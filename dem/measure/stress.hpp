@@ -19,10 +19,10 @@ using Tensor = Eigen::Matrix3d;
 /// @returns n_grains tensors, in the order of the grains
 /// Source: Love, A Treatise on the Mathematical Theory of Elasticity (1927), p. 618; Weber, Bull.
 /// Liaison Ponts Chauss. 20 (1966) 3-1.
-std::vector<Tensor> grain_stresses(Spheres const& grains, std::span<Contact const> contacts);
+std::vector<Tensor> grain_stresses(Spheres const& grains, ContactStream const& contacts);
 
 /// Mean stress [Pa] of all grains and their pores in `volume` [m^3], compression positive: the sum
 /// of the grains' V sigma over the volume.
-Tensor bulk_stress(Spheres const& grains, std::span<Contact const> contacts, double volume);
+Tensor bulk_stress(Spheres const& grains, ContactStream const& contacts, double volume);
 
 } // namespace dem

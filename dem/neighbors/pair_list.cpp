@@ -27,19 +27,38 @@ std::vector<std::uint8_t> levels_of(std::span<double const> reach, double smalle
   return level;
 }
 
-/// Sorts pairs (a < b) by owner and partner.
-PairList sort_by_owner(std::size_t n, std::vector<std::vector<std::pair<Row, Row>>> const& found) {
+/// Pairs as a chunk of rows found them: row first + k found n_found[k] of `other`.
+struct FoundPairs {
+  std::vector<Row> other;
+  std::vector<Row> n_found;
+
+  /// visit(smaller row, larger row)
+  template <class Visit> void for_each(Row first, Visit&& visit) const {
+    auto other_row = other.begin();
+    for (Row k = 0; k < n_found.size(); ++k)
+      for (Row m = 0; m < n_found[k]; ++m, ++other_row)
+        visit(std::min(first + k, *other_row), std::max(first + k, *other_row));
+  }
+};
+
+// Chunks of fixed size keep the result independent of the number of threads.
+constexpr std::size_t chunk = 1024;
+
+/// Sorts pairs by owner, the smaller row, and partner. What was found is let go on the way: a list
+/// is the largest thing a build holds.
+PairList sort_by_owner(std::size_t n, std::vector<FoundPairs>&& found) {
   PairList list;
   list.start.assign(n + 1, 0);
-  for (auto const& part : found)
-    for (auto const& [a, b] : part)
-      ++list.start[a + 1];
+  for (std::size_t c = 0; c < found.size(); ++c)
+    found[c].for_each(static_cast<Row>(c * chunk), [&](Row a, Row) { ++list.start[a + 1]; });
   std::partial_sum(list.start.begin(), list.start.end(), list.start.begin());
   list.partner.resize(list.start.back());
   std::vector<Row> next(list.start.begin(), list.start.end() - 1);
-  for (auto const& part : found)
-    for (auto const& [a, b] : part)
-      list.partner[next[a]++] = b;
+  for (std::size_t c = 0; c < found.size(); ++c) {
+    found[c].for_each(static_cast<Row>(c * chunk),
+                      [&](Row a, Row b) { list.partner[next[a]++] = b; });
+    found[c] = {};
+  }
 #pragma omp parallel for schedule(static) if (n > 1024)
   for (std::size_t i = 0; i < n; ++i)
     std::sort(list.partner.begin() + list.start[i], list.partner.begin() + list.start[i + 1]);
@@ -64,16 +83,16 @@ PairList find_pairs(std::span<Vec3 const> position, std::span<double const> reac
   for (std::size_t l = 0; l < n_levels; ++l)
     grids.emplace_back(box, 2.0 * std::ldexp(smallest, static_cast<int>(l)), position, rows[l]);
 
-  // Chunks of fixed size keep the result independent of the number of threads.
-  constexpr std::size_t chunk = 1024;
-  std::vector<std::vector<std::pair<Row, Row>>> found((n + chunk - 1) / chunk);
+  std::vector<FoundPairs> found((n + chunk - 1) / chunk);
 #pragma omp parallel for schedule(dynamic, 1) if (found.size() > 1)
   for (std::size_t part = 0; part < found.size(); ++part) {
+    auto& [other, n_found] = found[part];
     for (Row i = static_cast<Row>(part * chunk); i < std::min(n, (part + 1) * chunk); ++i) {
+      std::size_t const before = other.size();
       auto const consider = [&](Row j) {
         double const sum = reach[i] + reach[j];
         if ((position[i] - position[j]).squaredNorm() < sum * sum)
-          found[part].emplace_back(std::min(i, j), std::max(i, j));
+          other.push_back(j);
       };
       grids[level[i]].near(position[i], [&](Row j) {
         if (j > i)
@@ -81,9 +100,11 @@ PairList find_pairs(std::span<Vec3 const> position, std::span<double const> reac
       });
       for (std::size_t l = level[i] + 1u; l < n_levels; ++l)
         grids[l].near(position[i], consider);
+      n_found.push_back(static_cast<Row>(other.size() - before));
     }
+    other.shrink_to_fit();
   }
-  return sort_by_owner(n, found);
+  return sort_by_owner(n, std::move(found));
 }
 
 PairList find_pairs_by_brute_force(std::span<Vec3 const> position, std::span<double const> reach) {

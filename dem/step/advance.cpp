@@ -33,6 +33,15 @@ void prepare(World& world) {
 }
 
 void advance(World& world, double dt) {
+  advance_ahead(world, dt);
+  complete_step(world);
+}
+
+void complete_step(World& world) {
+  world.contacts.complete(world);
+}
+
+void advance_ahead(World& world, double dt) {
   EXPECT(dt > 0.0);
   double const gravity_power = world.contacts.kick_and_drift(world, dt);
   world.energy.gravity_work += dt * gravity_power; // exact: m g . dx
@@ -41,7 +50,6 @@ void advance(World& world, double dt) {
   move_tools(world.tools, dt);
   world.contacts.refresh(world, dt);
   world.contacts.sweep(world, dt);
-  world.contacts.gather_and_kick(world, dt);
   world.time += dt;
   ++world.step;
 }

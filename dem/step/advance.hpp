@@ -17,6 +17,15 @@ void prepare(World& world);
 /// @throws PhysicsGuard if a grain's position is no longer finite
 void advance(World& world, double dt);
 
+/// The same but for the second half kick of the grains, which the next step gives together with its
+/// first one: one pass through memory less a step, and the same bits. Until complete_step() the
+/// grains' velocities, spins, forces and torques are those of the half step; positions, tools and
+/// energies are those of the step.
+void advance_ahead(World& world, double dt);
+
+/// Ends a step that advance_ahead() began; otherwise nothing.
+void complete_step(World& world);
+
 /// Smallest Rayleigh time of the grains [s]:  pi R sqrt(rho/G) / (0.1631 nu + 0.8766),  G = E / (2
 /// (1 + nu)). Source: Li, Xu and Thornton, Powder Technol. 160 (2005) 219 (the seed's definition).
 double rayleigh_time(World const& world);

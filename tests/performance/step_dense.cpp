@@ -26,11 +26,11 @@ int main(int argc, char** argv) {
     double const built_before = press.world.contacts.statistics(press.world).seconds;
     auto const start = std::chrono::steady_clock::now();
     for (long n = std::stol(argv[5]); n > 0; --n)
-      dem::advance(press.world, dt);
+      dem::advance_ahead(press.world, dt);
     std::chrono::duration<double> const wall = std::chrono::steady_clock::now() - start;
     auto const lists = press.world.contacts.statistics(press.world);
-    fmt::print("{} {} {} {} {}\n", wall.count(), lists.seconds - built_before,
-               press.world.grains.size(), lists.active, lists.listed);
+    fmt::print("{} {} {} {} {} {}\n", wall.count(), lists.seconds - built_before,
+               press.world.grains.size(), lists.active, lists.listed, lists.bytes);
   } catch (std::exception const& error) {
     fmt::print(stderr, "step_dense: {}\n", error.what());
     return 1;
