@@ -1,3 +1,5 @@
+#include "coupling/compare/kept_observed.hpp"
+#include "coupling/compare/source.hpp"
 #include "coupling/grain_fields.hpp"
 #include "coupling/press_measures.hpp"
 #include "coupling/press_output.hpp"
@@ -71,6 +73,8 @@ void write_press_report(Press const& press, std::filesystem::path const& file) {
   data.tools = outline_tools(press);
   data.provenance = provenance(press);
   data.resolved_case = press.setup.resolved_text;
+  data.observed = kept_observed(file.parent_path());
+  data.comparison = beside_observed(data.summary, data.observed);
   write_report(file, data);
 }
 

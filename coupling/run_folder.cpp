@@ -26,7 +26,7 @@ fs::path existing_ancestor(fs::path path) {
 bool is_result(fs::path const& file) {
   static constexpr std::array names{"case.resolved.prm", "curves.csv", "summary.json", "run.h5",
                                     "grains.pvd",        "tools.pvd",  "report.html",  "geometry",
-                                    "snapshots"};
+                                    "snapshots",         "observed"};
   auto const name = file.filename().string();
   for (auto const* known : names)
     if (name == known)

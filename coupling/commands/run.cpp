@@ -1,5 +1,6 @@
 #include "coupling/commands/commands.hpp"
 #include "coupling/commands/execute.hpp"
+#include "coupling/compare/kept_observed.hpp"
 #include "coupling/press_output.hpp"
 #include "coupling/press_set_up.hpp"
 
@@ -26,7 +27,9 @@ int run(RunOptions const& options) {
   // Everything that can be wrong with the input is found before the folder is touched.
   Press press = set_up_press(setup);
   check_last_stage(press, options.until);
+  auto const observed = observed_rows(options.choice.file, options.choice.setup);
   clear_run_folder(folder);
+  keep_observed(observed, folder);
   return execute(
       press, {.folder = folder, .until = options.until, .quiet = options.quiet, .is_new = true});
 }

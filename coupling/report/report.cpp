@@ -6,7 +6,23 @@
 #include "coupling/report/page_data.hpp"
 #include "coupling/report/sections.hpp"
 
+#include <algorithm>
+
 namespace coupling {
+namespace {
+
+/// Observed values that do not stand beside ours already.
+std::vector<ObservedValue> not_compared(ReportData const& data) {
+  auto values = data.observed;
+  std::erase_if(values, [&](ObservedValue const& value) {
+    return std::ranges::any_of(data.comparison, [&](ComparedValue const& row) {
+      return row.quantity == value.name && row.source == value.source;
+    });
+  });
+  return values;
+}
+
+} // namespace
 
 void write_report(std::filesystem::path const& file, ReportData const& data,
                   std::filesystem::path const& libraries) {
@@ -22,7 +38,7 @@ void write_report(std::filesystem::path const& file, ReportData const& data,
                                      {"checks", checks_html(data.summary.checks)},
                                      {"moment", escape_html(data.grains_moment)},
                                      {"comparison", comparison_html(data.comparison)},
-                                     {"observed", observed_html(data.observed)},
+                                     {"observed", observed_html(not_compared(data))},
                                      {"provenance", provenance_html(data.provenance)},
                                      {"case", escape_html(data.resolved_case)},
                                      {"data", escape_json_in_script(report_json(data))},

@@ -1,5 +1,6 @@
 #include "coupling/compare/compare.hpp"
 #include "coupling/compare/force_curve.hpp"
+#include "coupling/compare/kept_observed.hpp"
 #include "coupling/record/summary_file.hpp"
 #include "dem/expect.hpp"
 #include "tests/support/scratch_folder.hpp"
@@ -284,6 +285,25 @@ TEST(ReadSources, ReadsATableOfPublishedValues) {
   auto const rows = coupling::beside_observed(summary, of_setup);
   ASSERT_EQ(rows.size(), 1U);
   EXPECT_NEAR(rows[0].theirs, 16000.0, 1e-9);
+}
+
+TEST(KeptObserved, RowsOfTheSetupTravelWithTheRun) {
+  support::ScratchFolder folder;
+  std::filesystem::create_directories(folder / "observed");
+  support::put_bytes(folder / "observed/paper.csv", "# source: a paper\n"
+                                                    "setup,simulator,max_force [kN]\n"
+                                                    "E0250,\"EDEM, 2\",1.6\nE2500,EDEM,16\n");
+  support::put_bytes(folder / "observed/machine.csv", "max_force [N]\n25095\n");
+  EXPECT_TRUE(coupling::observed_rows(folder / "case.prm", "").empty());
+  EXPECT_TRUE(coupling::observed_rows(folder / "case.prm", "E9").empty());
+  auto const run = folder / "run";
+  std::filesystem::create_directories(run);
+  coupling::keep_observed(coupling::observed_rows(folder / "case.prm", "E0250"), run);
+  auto const kept = coupling::kept_observed(run);
+  ASSERT_EQ(kept.size(), 1U);
+  EXPECT_NEAR(kept[0].value, 1600.0, 1e-9);
+  EXPECT_EQ(kept[0].source, "paper E0250 EDEM, 2");
+  EXPECT_TRUE(coupling::kept_observed(folder / "elsewhere").empty());
 }
 
 TEST(ReadSources, ReadsMeasuredDataWithItsScalars) {
