@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/press_frame.hpp"
 #include "dem/contact/contact_choice.hpp"
 #include "dem/material.hpp"
 #include "dem/vec3.hpp"
@@ -100,6 +101,7 @@ struct Case {
   Powder powder;
   Contacts contacts;
   Tooling tooling;
+  FrameLaw frame;
   std::vector<Stage> stages;
   TimeStepping time_stepping;
   Output output;

@@ -104,6 +104,13 @@ Tooling read_tooling(CaseReader& read) {
           .material = read_material(read, at, "wall")};
 }
 
+FrameLaw read_frame(CaseReader& read) {
+  std::string const at = "Press frame/";
+  return {.stiffness = read.number(at + "Stiffness"),
+          .seating = read.number(at + "Seating"),
+          .seating_force = read.number(at + "Seating force")};
+}
+
 Case build_case(CaseText const& text, std::filesystem::path const& file) {
   CaseReader read(text, file.parent_path());
   Case result;
@@ -113,6 +120,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.powder = read_powder(read);
   result.contacts = read_contacts(read);
   result.tooling = read_tooling(read);
+  result.frame = read_frame(read);
   result.stages = read_stages(read);
   result.time_stepping = read_time_stepping(read);
   result.output = read_output(read);

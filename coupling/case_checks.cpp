@@ -56,6 +56,7 @@ public:
   void filling() const;
   void tooling() const;
   void programme() const;
+  void frame() const;
   void tool_speed() const;
   void cohesion() const;
 
@@ -190,6 +191,18 @@ double CaseCheck::time_step() const {
   return case_.time_stepping.rayleigh_fraction * shortest;
 }
 
+void CaseCheck::frame() const {
+  FrameLaw const& frame = case_.frame;
+  if (frame.seating == 0.0)
+    return;
+  if (frame.is_rigid())
+    read_.refuse("Press frame/Seating",
+                 "belongs to a frame that is rigid (Stiffness = 0). Give the stiffness?");
+  if (frame.seating_force == 0.0)
+    read_.refuse("Press frame/Seating force",
+                 "is missing (Seating is reached on its scale). Give it?");
+}
+
 void CaseCheck::tool_speed() const {
   // The grains of a file are known only when it is read.
   if (case_.powder.fill_method != FillMethod::random)
@@ -241,6 +254,7 @@ void check_case(Case const& checked, CaseReader const& read) {
   check.filling();
   check.tooling();
   check.programme();
+  check.frame();
   check.tool_speed();
   check.cohesion();
 }

@@ -162,6 +162,18 @@ std::vector<Entry> tooling_entries() {
   };
 }
 
+std::vector<Entry> frame_entries() {
+  std::string const at = "Press frame/";
+  return {
+      {at + "Stiffness", quantity, stiffness, "0 N/m", within(0.0, 1e13), "",
+       "Stiffness of the machine between command and upper punch; 0: rigid."},
+      {at + "Seating", quantity, length, "0 mm", within(0.0, 0.01), "",
+       "What the machine's joints give in all, on top of its stiffness, until they are seated."},
+      {at + "Seating force", quantity, force, "0 N", within(0.0, 1e7), "",
+       "Force scale F_s of that: seating (1 - exp(-F / F_s))."},
+  };
+}
+
 /// Defaults of the seed's press cycle: down to 8 mm in 0.06 s, up for 0.04 s, die and punch
 /// removed, 0.05 s free.
 struct StageDefaults {
@@ -250,6 +262,7 @@ std::vector<Entry> all_entries() {
   append(interaction_entries("Contact/Particle-particle/", "5e6 J/m^3"));
   append(interaction_entries("Contact/Particle-wall/", "0 J/m^3"));
   append(tooling_entries());
+  append(frame_entries());
   for (int number = 1; number <= max_stages; ++number)
     append(stage_entries(number));
   append(running_entries());

@@ -194,7 +194,7 @@ void PressCycle::show_progress() {
                   .stage_fraction = programme.stage_progress(world),
                   .run_fraction = programme.run_progress(world),
                   .time = world.time,
-                  .height = punch_gap(world, programme.faces()),
+                  .height = programme.commanded_gap(world),
                   .force = squeezing_force(tool_named(world, "upper_punch")),
                   .max_relative_overlap = press_.tally.max_relative_overlap,
                   .step = world.step});

@@ -68,6 +68,7 @@ void read_energies(Press const& press, Reading& r) {
   r.tangential_work = world.energy.tangential_work;
   r.rolling_loss = world.energy.rolling_work;
   r.released_energy = press.tally.released_energy;
+  r.frame_energy = press.setup.frame.energy(r.upper_punch_force);
   double const found =
       r.kinetic_energy + r.elastic_energy + r.cohesive_energy - press.tally.start_energy;
   double const put_in = r.tool_work + r.gravity_work;
@@ -109,6 +110,7 @@ std::vector<PressRecord::Column> curve_columns() {
           {"tangential_work", "J"},
           {"rolling_loss", "J"},
           {"released_energy", "J"},
+          {"frame_energy", "J"},
           {"energy_error", "J"},
           {"axial_imbalance", "N"}};
 }
@@ -135,6 +137,7 @@ std::vector<double> row_of(Reading const& r) {
           r.tangential_work,
           r.rolling_loss,
           r.released_energy,
+          r.frame_energy,
           r.energy_error,
           r.axial_imbalance};
 }
@@ -144,8 +147,8 @@ Reading read_press(Press const& press) {
   auto const statistics = dem::measure_contacts(world.grains, dem::ContactStream(world));
   Reading r;
   r.time = world.time;
-  r.punch_gap = punch_gap(world, press.programme.faces());
-  r.bed_height = r.punch_gap; // rigid tools on a rigid frame stand where the machine puts them
+  r.punch_gap = press.programme.commanded_gap(world);
+  r.bed_height = punch_gap(world, press.programme.faces());
   r.compact_height = dem::compact_extent(world.grains, floor_of(press)).height();
   r.mean_overlap = statistics.mean_overlap;
   r.max_relative_overlap =

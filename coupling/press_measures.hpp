@@ -34,6 +34,7 @@ struct Reading {
   double tangential_work = 0.0;      ///< [J], into springs, dashpots and sliding
   double rolling_loss = 0.0;         ///< [J]
   double released_energy = 0.0;      ///< [J], that went with removed tools
+  double frame_energy = 0.0;         ///< [J], in the press frame, beside the grains' ledger
   double energy_error = 0.0;         ///< [J], energy found - energy accounted for
   double axial_imbalance = 0.0;      ///< [N], F_upper - F_lower - F_wall + W + dP/dt
 };

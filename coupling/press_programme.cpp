@@ -76,9 +76,13 @@ double squeezing_force(dem::Tool const& tool) {
 }
 
 PressProgramme::PressProgramme(std::vector<Stage> stages, PunchFaces faces,
-                               LongestStep longest_step, bool adaptive)
+                               LongestStep longest_step, bool adaptive, FrameLaw frame)
     : stages_(std::move(stages)), faces_(faces), longest_step_(std::move(longest_step)),
-      adaptive_(adaptive), expected_lengths_(expected_lengths(stages_, faces.upper - faces.lower)) {
+      adaptive_(adaptive), expected_lengths_(expected_lengths(stages_, faces.upper - faces.lower)),
+      frame_(frame) {}
+
+double PressProgramme::commanded_gap(dem::World const& world) const {
+  return punch_gap(world, faces_) - frame_.deflection();
 }
 
 void PressProgramme::start_stage(dem::World& world) {
@@ -108,7 +112,7 @@ double PressProgramme::planned_length(dem::World const& world) const {
     return s.duration;
   if (s.until == Limit::force)
     return limit;
-  double const gap = punch_gap(world, faces_);
+  double const gap = commanded_gap(world);
   double const length = (s.gap - gap) / gap_rate(s);
   if (length >= 0.0 && length <= limit * (1.0 + rounding))
     return length;
@@ -171,6 +175,7 @@ double PressProgramme::command_step(dem::World& world) {
   }
   for (dem::Tool& tool : world.tools)
     tool.velocity = dem::Vec3(0.0, 0.0, drives(s, tool.name) ? speed : 0.0);
+  tool_named(world, "upper_punch").velocity.z() += frame_.speed();
   return step_;
 }
 
@@ -180,6 +185,8 @@ void PressProgramme::step_done(dem::World& world) {
   if (stage().kind == StageKind::move && gap_rate(stage()) != 0.0)
     servo_.watch(punch_gap(world, faces_),
                  squeezing_force(tool_named(world, stage().tools.front())));
+  frame_.step_done(squeezing_force(tool_named(world, "upper_punch")), punch_gap(world, faces_),
+                   step_);
   if (steps_to_end_ > 0 && --steps_to_end_ == 0)
     world.time = stage_end_;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/case.hpp"
+#include "coupling/press_frame.hpp"
 #include "coupling/press_servo.hpp"
 #include "dem/step/world.hpp"
 
@@ -18,7 +19,7 @@ struct PunchFaces {
   double upper = 0.0;
 };
 
-/// Distance of the punch faces as the machine commands it [m]; kept when a punch has been released.
+/// Distance of the punch faces as they are [m]; kept when a punch has been released.
 double punch_gap(dem::World const& world, PunchFaces const& faces);
 
 /// The tool of that name. @throws std::out_of_range if there is none
@@ -60,7 +61,7 @@ public:
   /// @param adaptive  ask for the longest step again every `renewal` steps, not only when a stage
   /// starts
   PressProgramme(std::vector<Stage> stages, PunchFaces faces, LongestStep longest_step,
-                 bool adaptive);
+                 bool adaptive, FrameLaw frame = {});
 
   bool is_done() const { return index_ == stages_.size(); }
   bool is_started() const { return started_ != 0; }
@@ -68,6 +69,11 @@ public:
   Stage const& stage() const { return stages_.at(index_); }
   std::span<Stage const> stages() const { return stages_; }
   PunchFaces const& faces() const { return faces_; }
+  PressFrame const& frame() const { return frame_; }
+
+  /// Distance of the punch faces as the machine commands it [m]: less than punch_gap() by what the
+  /// frame gives.
+  double commanded_gap(dem::World const& world) const;
 
   /// Does what the present stage does at its start: tools are released, driven or stopped, the
   /// steps planned.
@@ -107,6 +113,7 @@ public:
     field("programme/steps_to_end", steps_to_end_);
     field("programme/steps_to_renewal", steps_to_renewal_);
     servo_.visit_state(field);
+    frame_.visit_state(field);
   }
 
 private:
@@ -128,6 +135,7 @@ private:
   std::uint64_t steps_to_end_ = 0; // 0 with an infinite end: unknown
   std::uint64_t steps_to_renewal_ = 0;
   ForceServo servo_;
+  PressFrame frame_;
 };
 
 } // namespace coupling

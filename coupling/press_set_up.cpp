@@ -47,7 +47,7 @@ Press empty_press(Case const& setup) {
           .world = empty_world(setup),
           .programme =
               PressProgramme(stages, starting_faces(setup), longest_step_of(setup.time_stepping),
-                             setup.time_stepping.adaptive),
+                             setup.time_stepping.adaptive, setup.frame),
           .record = PressRecord(curve_columns()),
           .tally = {}};
 }

@@ -19,6 +19,7 @@ PhysicalName const& describe(Physical physical) {
       {"a time", "s", "s, ms, us, min", {0, 0, 1}},
       {"a speed", "m/s", "m/s, mm/s, mm/min", {0, 1, -1}},
       {"an acceleration", "m/s^2", "m/s^2", {0, 1, -2}},
+      {"a stiffness", "N/m", "N/m, kN/mm", {1, 0, -2}},
       {"an angular speed", "rad/s", "rad/s, 1/s", {0, 0, -1}},
       {"a force", "N", "N, kN", {1, 1, -2}},
       {"a modulus or pressure", "Pa", "Pa, kPa, MPa, GPa", {1, -1, -2}},

@@ -22,6 +22,7 @@ enum class Physical {
   time,
   speed,
   acceleration,
+  stiffness,
   angular_speed,
   force,
   modulus,
