@@ -63,7 +63,7 @@ std::vector<Entry> powder_entries() {
 std::vector<Entry> component_entries(int number) {
   bool const is_first = number == 1, is_second = number == 2;
   std::string const at = fmt::format("Powder/Component {}/", number);
-  std::string const sizes = "0.5 mm: 35 %, 1 mm: 25 %, 2 mm: 25 %, 3 mm: 15 %";
+  std::string const sizes = "0.5 mm: 70 %, 1 mm: 10 %, 2 mm: 15 %, 3 mm: 5 %";
   return {
       {at + "Name", text, ratio,
        is_first    ? "MgO"

@@ -37,7 +37,7 @@ TEST(DefaultCase, IsTheSeedsPressCycle) {
   EXPECT_EQ(magnesia.material.poisson_ratio, 0.25);
   ASSERT_EQ(magnesia.sizes.size(), 4u);
   EXPECT_EQ(magnesia.sizes[3].diameter, 3e-3);
-  EXPECT_EQ(magnesia.sizes[3].mass_fraction, 0.15);
+  EXPECT_EQ(magnesia.sizes[3].mass_fraction, 0.05);
   Component const& alumina = it.powder.components[1];
   EXPECT_EQ(alumina.material.name, "Al2O3");
   EXPECT_EQ(alumina.material.density, 3000.0);

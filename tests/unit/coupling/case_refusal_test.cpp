@@ -137,12 +137,12 @@ TEST(Powder, ThatCannotFitTheDieIsRefused) {
 }
 
 TEST(Powder, WithoutAWholeGrainOrWithTooManyIsRefused) {
-  // 3 mm MgO: 3500 kg/m^3 pi/6 (3 mm)^3 = 49.48 mg; 0.1 g 0.8 0.15 = 12 mg
+  // 3 mm MgO: 3500 kg/m^3 pi/6 (3 mm)^3 = 49.48 mg; 0.1 g 0.8 0.05 = 4 mg
   EXPECT_EQ(
       refusal({"Powder/Total mass=0.1 g"}),
-      "case.prm: Powder/Component 1/Size classes = 0.5 mm: 35 %, 1 mm: 25 %, 2 mm: 25 %, 3 mm: 15 "
+      "case.prm: Powder/Component 1/Size classes = 0.5 mm: 70 %, 1 mm: 10 %, 2 mm: 15 %, 3 mm: 5 "
       "% (default): asks "
-      "for 0.243 grains of 3 mm (one weighs 49.5 mg). Raise the total mass or drop the class?");
+      "for 0.0808 grains of 3 mm (one weighs 49.5 mg). Raise the total mass or drop the class?");
   // 1.826 g / (3000 kg/m^3 pi/6 (1 um)^3) = 1.16e12
   EXPECT_EQ(refusal({"Powder/Component 2/Size classes=1 um: 100 %"}),
             "Powder/Component 2/Size classes = 1 um: 100 %: asks for 1.16e+12 grains (limit "
