@@ -3,7 +3,10 @@
 #include "continuum/expect.hpp"
 #include "continuum/tool/tool_model.hpp"
 
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/data_out.h>
 #include <deal.II/numerics/data_postprocessor.h>
@@ -75,8 +78,8 @@ dealii::Vector<double> as_field(ToolModel const& model, dealii::DoFHandler<3> co
 void write_vtu(std::filesystem::path const& file, ElasticTool const& tool,
                Eigen::Matrix3Xd const& displacement) {
   ToolModel const& model = tool.mesh().model();
-  dealii::FESystem<3> const element(model.element, 3);
-  dealii::DoFHandler<3> vector_nodes(model.triangulation);
+  dealii::FESystem<3> const element(model.element(), 3);
+  dealii::DoFHandler<3> vector_nodes(model.triangulation());
   vector_nodes.distribute_dofs(element);
   dealii::Vector<double> const field = as_field(model, vector_nodes, displacement);
   StressFields const stress_fields(tool.materials());
@@ -90,7 +93,7 @@ void write_vtu(std::filesystem::path const& file, ElasticTool const& tool,
                       dealii::DataOut<3>::type_dof_data,
                       std::vector<Part>(3, Part::component_is_part_of_vector));
   out.add_data_vector(field, stress_fields);
-  out.build_patches(model.mapping, 2, dealii::DataOut<3>::curved_inner_cells);
+  out.build_patches(model.mapping(), 2, dealii::DataOut<3>::curved_inner_cells);
 
   std::filesystem::path const unfinished = file.string() + ".part";
   std::ofstream stream(unfinished);

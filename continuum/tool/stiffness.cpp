@@ -3,7 +3,10 @@
 #include "continuum/tool/tool_model.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 
 #include <algorithm>
 
@@ -86,9 +89,9 @@ SparseMatrix assemble_stiffness(ToolModel const& model,
                                 std::vector<ElasticMaterial> const& materials) {
   SparseMatrix matrix = empty_stiffness(model);
   dealii::QGauss<3> const points(3);
-  dealii::FEValues<3> values(model.mapping, model.element, points,
+  dealii::FEValues<3> values(model.mapping(), model.element(), points,
                              dealii::update_gradients | dealii::update_JxW_values);
-  for (auto const& cell : model.nodes_of_cells.active_cell_iterators()) {
+  for (auto const& cell : model.nodes_of_cells().active_cell_iterators()) {
     values.reinit(cell);
     add(cell_stiffness(values, materials[cell->material_id()]),
         model.cells[cell->active_cell_index()], matrix);
@@ -102,14 +105,14 @@ std::vector<CellStress> cell_stresses(ToolModel const& model,
   dealii::Quadrature<3> const points =
       places == StressPlaces::gauss_points
           ? dealii::Quadrature<3>(dealii::QGauss<3>(3))
-          : dealii::Quadrature<3>(model.element.get_unit_support_points());
-  dealii::FEValues<3> values(model.mapping, model.element, points,
+          : dealii::Quadrature<3>(model.element().get_unit_support_points());
+  dealii::FEValues<3> values(model.mapping(), model.element(), points,
                              dealii::update_gradients | dealii::update_quadrature_points |
                                  (places == StressPlaces::gauss_points ? dealii::update_JxW_values
                                                                        : dealii::update_default));
   std::vector<CellStress> stresses;
   stresses.reserve(model.cells.size());
-  for (auto const& cell : model.nodes_of_cells.active_cell_iterators()) {
+  for (auto const& cell : model.nodes_of_cells().active_cell_iterators()) {
     values.reinit(cell);
     std::uint32_t const number = cell->active_cell_index(), region = cell->material_id();
     stresses.push_back({.cell = number, .points = {}});

@@ -5,9 +5,13 @@
 #include "continuum/tool/tool_model.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q.h>
 #include <deal.II/grid/manifold_lib.h>
+#include <deal.II/grid/tria.h>
 
 #include <algorithm>
 
@@ -44,8 +48,8 @@ void triangulate(HexMesh const& mesh, dealii::Triangulation<3>& triangulation) {
 
 void refuse_inverted_cells(ToolModel const& model) {
   dealii::QGauss<3> const points(3);
-  dealii::FEValues<3> values(model.mapping, model.element, points, dealii::update_jacobians);
-  for (auto const& cell : model.nodes_of_cells.active_cell_iterators()) {
+  dealii::FEValues<3> values(model.mapping(), model.element(), points, dealii::update_jacobians);
+  for (auto const& cell : model.nodes_of_cells().active_cell_iterators()) {
     values.reinit(cell);
     for (unsigned const q : values.quadrature_point_indices())
       VALIDATE(values.jacobian(q).determinant() > 0.0,
@@ -72,10 +76,10 @@ std::array<std::uint32_t, 9> face_nodes(std::array<std::uint32_t, 27> const& lex
 }
 
 void collect_cells(HexMesh const& mesh, ToolModel& model) {
-  std::vector<unsigned> const to_lexicographic = model.element.get_poly_space_numbering();
+  std::vector<unsigned> const to_lexicographic = model.element().get_poly_space_numbering();
   std::vector<dealii::types::global_dof_index> dofs(27);
   std::vector<std::uint32_t> node_of_vertex(mesh.vertices.size());
-  for (auto const& cell : model.nodes_of_cells.active_cell_iterators()) {
+  for (auto const& cell : model.nodes_of_cells().active_cell_iterators()) {
     cell->get_dof_indices(dofs);
     std::array<std::uint32_t, 27> own, lexicographic;
     for (unsigned i = 0; i < 27; ++i) {
@@ -133,18 +137,44 @@ SurfaceTrace trace_of(ToolModel const& model, std::vector<std::uint32_t> const& 
 }
 } // namespace
 
-ToolModel::ToolModel(HexMesh const& mesh) : surfaces(mesh.surfaces) {
-  triangulate(mesh, triangulation);
-  nodes_of_cells.reinit(triangulation);
-  nodes_of_cells.distribute_dofs(element);
+struct ToolModel::Discretisation {
+  explicit Discretisation(HexMesh const& mesh) {
+    triangulate(mesh, triangulation);
+    nodes_of_cells.reinit(triangulation);
+    nodes_of_cells.distribute_dofs(element);
+  }
+
+  dealii::Triangulation<3> triangulation;
+  dealii::MappingQ<3> mapping{2};
+  dealii::FE_Q<3> element{2};
+  dealii::DoFHandler<3> nodes_of_cells;
+};
+
+ToolModel::ToolModel(HexMesh const& mesh)
+    : surfaces(mesh.surfaces), discretisation_(std::make_unique<Discretisation const>(mesh)) {
   refuse_inverted_cells(*this);
-  std::vector<dealii::Point<3>> points(nodes_of_cells.n_dofs());
-  dealii::DoFTools::map_dofs_to_support_points(mapping, nodes_of_cells, points);
+  std::vector<dealii::Point<3>> points(nodes_of_cells().n_dofs());
+  dealii::DoFTools::map_dofs_to_support_points(mapping(), nodes_of_cells(), points);
   nodes.resize(3, points.size());
   for (std::size_t a = 0; a < points.size(); ++a)
     nodes.col(a) << points[a][0], points[a][1], points[a][2];
   collect_cells(mesh, *this);
   hash = hash_of(*this);
+}
+
+ToolModel::~ToolModel() = default;
+
+dealii::Triangulation<3, 3> const& ToolModel::triangulation() const {
+  return discretisation_->triangulation;
+}
+dealii::MappingQ<3, 3> const& ToolModel::mapping() const {
+  return discretisation_->mapping;
+}
+dealii::FE_Q<3, 3> const& ToolModel::element() const {
+  return discretisation_->element;
+}
+dealii::DoFHandler<3, 3> const& ToolModel::nodes_of_cells() const {
+  return discretisation_->nodes_of_cells;
 }
 
 std::uint32_t surface_index(ToolModel const& model, std::string const& name) {

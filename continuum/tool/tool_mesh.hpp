@@ -12,7 +12,7 @@
 
 namespace continuum {
 
-struct ToolModel; // deal.II's side of it: continuum/tool/tool_model.hpp, for sources only
+struct ToolModel; // continuum/tool/tool_model.hpp: its inside, for the sources of this folder
 
 /// A tool as second-order hexahedra (27 nodes, geometry of the same order), with named surfaces:
 ///   die    bore, outer, bottom, top      punch   face, side, back

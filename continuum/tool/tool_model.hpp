@@ -1,14 +1,18 @@
 #pragma once
 
-// The one header with deal.II in it, read by the sources of this folder only.
 #include "continuum/tool/hex_mesh.hpp"
 
-#include <deal.II/dofs/dof_handler.h>
-#include <deal.II/fe/fe_q.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/grid/tria.h>
-
 #include <cstdint>
+#include <memory>
+#include <utility>
+
+// Named only: a source that looks into them includes deal.II itself.
+namespace dealii {
+template <int, int> class Triangulation;
+template <int, int> class MappingQ;
+template <int, int> class FE_Q;
+template <int, int> class DoFHandler;
+} // namespace dealii
 
 namespace continuum {
 
@@ -24,11 +28,12 @@ struct BoundaryFace {
 /// element falls back to second order in u and is fifty times worse on a die.
 struct ToolModel {
   explicit ToolModel(HexMesh const& mesh);
+  ~ToolModel();
 
-  dealii::Triangulation<3> triangulation;
-  dealii::MappingQ<3> mapping{2};
-  dealii::FE_Q<3> element{2};
-  dealii::DoFHandler<3> nodes_of_cells;
+  dealii::Triangulation<3, 3> const& triangulation() const;
+  dealii::MappingQ<3, 3> const& mapping() const;
+  dealii::FE_Q<3, 3> const& element() const;
+  dealii::DoFHandler<3, 3> const& nodes_of_cells() const;
 
   Eigen::Matrix3Xd nodes;                           ///< [m]
   std::vector<std::array<std::uint32_t, 27>> cells; ///< in the element's own numbering
@@ -38,6 +43,10 @@ struct ToolModel {
   std::vector<std::string> surfaces;
   std::vector<std::pair<std::uint32_t, int>> pins; ///< node, component
   std::uint64_t hash = 0;
+
+private:
+  struct Discretisation; // deal.II's objects
+  std::unique_ptr<Discretisation const> discretisation_;
 };
 
 /// Index of a named surface. @throws InvalidInput if there is none
