@@ -45,44 +45,45 @@ template <class T> bool remembers(ContactBlock<T> const& block, std::size_t k) {
   return false;
 }
 
-/// visit(contact) for every contact that remembers something, in the old order.
+/// visit(contact) for every contact of a block that remembers something, in the old order.
 template <class T, class Visit>
-void for_each_carried(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+void for_each_carried(ContactBlock<T> const& block, std::span<std::uint32_t const> new_row,
                       Visit&& visit) {
-  auto const take = [&](ContactBlock<T> const& block, std::size_t at, CarriedContact<T> c,
-                        bool is_wall) {
+  auto const take = [&](std::size_t at, CarriedContact<T> c, bool is_wall) {
     if (!remembers(block, at))
       return;
     for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
       c.memory[s] = block.memory_stream(s)[at];
     visit(renumber(c, new_row, is_wall));
   };
-  for (ContactBlock<T> const& block : lists.blocks) {
-    for (std::size_t k = 0; k < block.n_pairs; ++k)
-      take(block, k,
-           {block.rows[block.owner[k]],
-            block.rows[block.partner[k]],
-            CarriedContacts<T>::between_grains,
-            {}},
-           false);
-    for (std::size_t k = 0; k < block.walls.size(); ++k)
-      take(block, block.wall_offset + k,
-           {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
-  }
+  for (std::size_t k = 0; k < block.n_pairs; ++k)
+    take(k,
+         {block.rows[block.owner[k]],
+          block.rows[block.partner[k]],
+          CarriedContacts<T>::between_grains,
+          {}},
+         false);
+  for (std::size_t k = 0; k < block.walls.size(); ++k)
+    take(block.wall_offset + k,
+         {block.walls[k].owner, block.walls[k].tool, block.walls[k].patch, {}}, true);
 }
 
 } // namespace
 
 template <class T>
-CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+CarriedContacts<T> carry(ContactLists<T>& lists, std::span<std::uint32_t const> new_row,
                          std::size_t n_grains) {
   CarriedContacts<T> carried;
   carried.start.assign(n_grains + 1, 0);
-  for_each_carried(lists, new_row, [&](auto const& c) { ++carried.start[c.owner + 1]; });
+  for (ContactBlock<T> const& block : lists.blocks)
+    for_each_carried(block, new_row, [&](auto const& c) { ++carried.start[c.owner + 1]; });
   std::partial_sum(carried.start.begin(), carried.start.end(), carried.start.begin());
   carried.row.resize(carried.start.back());
   std::vector<std::uint32_t> next(carried.start.begin(), carried.start.end() - 1);
-  for_each_carried(lists, new_row, [&](auto const& c) { carried.row[next[c.owner]++] = c; });
+  for (ContactBlock<T>& block : lists.blocks) {
+    for_each_carried(block, new_row, [&](auto const& c) { carried.row[next[c.owner]++] = c; });
+    block = {}; // its streams are the largest thing there is: not held beside what they carried
+  }
   return carried;
 }
 
@@ -134,7 +135,7 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
 
 #define PRESSCHECK_LISTS(T)                                                                        \
   template struct ContactLists<T>;                                                                 \
-  template CarriedContacts<T> carry(ContactLists<T> const&, std::span<std::uint32_t const>,        \
+  template CarriedContacts<T> carry(ContactLists<T>&, std::span<std::uint32_t const>,              \
                                     std::size_t);                                                  \
   template void build_outer(World const&, double, ContactLists<T>&);                               \
   template void build_inner(World const&, ContactKernel<T> const&, ContactChoice const&, double,   \

@@ -82,10 +82,10 @@ template <class T> struct ContactLists {
   std::uint64_t outer_builds = 0, inner_builds = 0;
 };
 
-/// Contacts with a history, their rows renumbered: row r of the old order is new_row[r] (empty:
-/// unchanged).
+/// Takes the contacts with a history out of the blocks, which are empty afterwards; their rows are
+/// renumbered: row r of the old order is new_row[r] (empty: unchanged).
 template <class T>
-CarriedContacts<T> carry(ContactLists<T> const& lists, std::span<std::uint32_t const> new_row,
+CarriedContacts<T> carry(ContactLists<T>& lists, std::span<std::uint32_t const> new_row,
                          std::size_t n_grains);
 
 /// Outer list of the present positions. `lists.outer` says where and how far.

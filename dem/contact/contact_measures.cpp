@@ -122,7 +122,7 @@ std::vector<Result> TypedStore<T>::per_block(World const& world, std::size_t fir
 template <class T>
 void TypedStore<T>::visit(World const& world, ContactStream::Visit const& look) const {
   // So many blocks at once keep some threads busy and the memory small.
-  constexpr std::size_t at_once = 16;
+  constexpr std::size_t at_once = 4;
   ModelSwitches<double> const switches{.cohesion_in_limit =
                                            choice_.friction_limit == "net" ? 1.0 : 0.0,
                                        .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
