@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/elastic/coupling_choice.hpp"
 #include "coupling/press_frame.hpp"
 #include "dem/contact/contact_choice.hpp"
 #include "dem/material.hpp"
@@ -101,6 +102,7 @@ struct Case {
   Powder powder;
   Contacts contacts;
   Tooling tooling;
+  ElasticTools elastic;
   FrameLaw frame;
   std::vector<Stage> stages;
   TimeStepping time_stepping;

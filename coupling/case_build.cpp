@@ -6,6 +6,9 @@
 
 #include <fmt/format.h>
 
+#include <map>
+#include <optional>
+
 namespace coupling {
 
 namespace {
@@ -52,12 +55,38 @@ Output read_output(CaseReader& read) {
 } // namespace
 
 std::string read_mode(CaseReader& read) {
-  std::string const mode = read.choice("Mode");
-  if (mode != "rigid")
-    read.refuse(
-        "Mode",
-        "needs deformable tools (this version presses with rigid ones only). Choose Mode = rigid?");
-  return mode;
+  return read.choice("Mode");
+}
+
+ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode) {
+  static std::map<std::string, CouplingMode> const modes{
+      {"rigid", CouplingMode::rigid},
+      {"one_way", CouplingMode::one_way},
+      {"two_way_explicit", CouplingMode::two_way_explicit},
+      {"two_way_secant", CouplingMode::two_way_secant},
+      {"two_way_implicit", CouplingMode::two_way_implicit}};
+  std::string const at = "Deformable tools/";
+  auto const strength = [&](std::string const& name) -> std::optional<double> {
+    double const value = read.number(at + name);
+    return value > 0.0 ? std::optional(value) : std::nullopt;
+  };
+  auto const support = [&](std::string const& name) {
+    return read.choice(at + name) == "clamped" ? ToolSupport::clamped : ToolSupport::rollers;
+  };
+  return {.material = {.young_modulus = read.number(at + "Young's modulus"),
+                       .poisson_ratio = read.number(at + "Poisson's ratio"),
+                       .yield_strength = strength("Yield strength"),
+                       .fatigue_strength = strength("Fatigue strength")},
+          .cell_size = read.number(at + "Cell size"),
+          .die_support = support("Die support"),
+          .punch_support = support("Punch support"),
+          .coupling = {.mode = modes.at(mode),
+                       .window = read.count(at + "Window"),
+                       .accelerator = read.choice(at + "Accelerator") == "aitken"
+                                          ? Accelerator::aitken
+                                          : Accelerator::iqn_ils,
+                       .tolerance = read.number(at + "Tolerance"),
+                       .most_iterations = read.count(at + "Largest iterations")}};
 }
 
 Powder read_powder(CaseReader& read) {
@@ -120,6 +149,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.powder = read_powder(read);
   result.contacts = read_contacts(read);
   result.tooling = read_tooling(read);
+  result.elastic = read_elastic_tools(read, result.mode);
   result.frame = read_frame(read);
   result.stages = read_stages(read);
   result.time_stepping = read_time_stepping(read);

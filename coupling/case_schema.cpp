@@ -162,6 +162,35 @@ std::vector<Entry> tooling_entries() {
   };
 }
 
+std::vector<Entry> elastic_entries() {
+  std::string const at = "Deformable tools/";
+  return {
+      {at + "Young's modulus", quantity, modulus, "210 GPa", within(1e5, 1e18), "",
+       "Young's modulus of the tools as bodies; at a contact Tooling's counts. Used unless Mode = "
+       "rigid, like all here."},
+      {at + "Poisson's ratio", quantity, ratio, "0.3", poisson_range, "",
+       "Poisson's ratio of the tools as bodies."},
+      {at + "Yield strength", quantity, modulus, "0 MPa", within(0.0, 1e12), "",
+       "Compared with the largest von Mises stress; 0: unknown."},
+      {at + "Fatigue strength", quantity, modulus, "0 MPa", within(0.0, 1e12), "",
+       "Compared with the largest von Mises stress; 0: unknown."},
+      {at + "Cell size", quantity, length, "3.5 mm", tool_size, "",
+       "Width of the finite elements where grains press."},
+      {at + "Die support", choice, ratio, "rollers", any, "rollers | clamped",
+       "How the die stands on its bottom: free to slide and breathe, or held."},
+      {at + "Punch support", choice, ratio, "clamped", any, "rollers | clamped",
+       "How a punch is held at its back."},
+      {at + "Window", count, ratio, "100", within(1, 1e6), "",
+       "Steps of the grains between two exchanges of loads and deformation."},
+      {at + "Accelerator", choice, ratio, "iqn_ils", any, "aitken | iqn_ils",
+       "How two_way_implicit finds the deformation that its own loads hold."},
+      {at + "Tolerance", quantity, ratio, "1e-4", above_up_to(0.0, 0.1), "",
+       "Change of the loads in an iteration of two_way_implicit that ends it."},
+      {at + "Largest iterations", count, ratio, "20", within(1, 1000), "",
+       "Iterations of a window after which two_way_implicit gives up."},
+  };
+}
+
 std::vector<Entry> frame_entries() {
   std::string const at = "Press frame/";
   return {
@@ -262,6 +291,7 @@ std::vector<Entry> all_entries() {
   append(interaction_entries("Contact/Particle-particle/", "5e6 J/m^3"));
   append(interaction_entries("Contact/Particle-wall/", "0 J/m^3"));
   append(tooling_entries());
+  append(elastic_entries());
   append(frame_entries());
   for (int number = 1; number <= max_stages; ++number)
     append(stage_entries(number));

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/case.hpp"
+#include "coupling/elastic/tool_coupling.hpp"
 #include "coupling/press_programme.hpp"
 #include "coupling/press_tally.hpp"
 #include "coupling/record/press_record.hpp"
@@ -22,6 +23,7 @@ struct Press {
   PressProgramme programme;
   PressRecord record;
   PressTally tally;
+  ToolCoupling coupling; ///< of grains and deformable tools; rigid ones need none
   double grain_mass =
       0.0; ///< [kg], of all grains; kept, because a sum in another order is another number
 
@@ -65,6 +67,7 @@ template <class Writer> void Press::save(Writer&& write) {
   auto state = dem::capture_state(world);
   dem::visit_state(state, write);
   programme.visit_state(write);
+  coupling.visit_state(write);
   visit_record(record, programme.stages(), write);
   tally.visit_state(write);
   write("grains/total_mass", grain_mass);
@@ -75,6 +78,8 @@ template <class Reader> void Press::load(Reader&& read) {
   dem::visit_state(state, read);
   dem::restore_state(world, state);
   programme.visit_state(read);
+  coupling.visit_state(read);
+  coupling.show_courses();
   visit_record(record, programme.stages(), read);
   tally.visit_state(read);
   read("grains/total_mass", grain_mass);

@@ -1,5 +1,6 @@
 #include "coupling/press_cycle.hpp"
 
+#include "coupling/elastic/implicit_window.hpp"
 #include "coupling/press_guards.hpp"
 #include "coupling/press_measures.hpp"
 #include "dem/step/advance.hpp"
@@ -78,9 +79,12 @@ void PressCycle::start_stage() {
 void PressCycle::step() {
   dem::World& world = press_.world;
   PressTally& tally = press_.tally;
+  if (press_.coupling.wants_course())
+    find_course(press_);
   double const dt = press_.programme.command_step(world);
   dem::advance_ahead(world, dt);
   press_.programme.step_done(world);
+  press_.coupling.step_done(world, punch_gap(world, press_.programme.faces()), dt);
   guard_step(world);
 
   double const force = squeezing_force(tool_named(world, "upper_punch"));
@@ -161,6 +165,7 @@ void PressCycle::save_if_due() {
 
 void PressCycle::finish_stage() {
   PressProgramme& programme = press_.programme;
+  press_.coupling.end_window(press_.world);
   dem::complete_step(press_.world);
   std::string const name = programme.stage().name;
   bool const is_free = programme.stage().kind == StageKind::free;

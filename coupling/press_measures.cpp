@@ -62,7 +62,7 @@ void read_energies(Press const& press, Reading& r) {
   r.elastic_energy = stored.elastic;
   r.cohesive_energy = stored.cohesive;
   for (dem::Tool const& tool : world.tools)
-    r.tool_work += tool.work;
+    r.tool_work += tool.work + tool.yield_work;
   r.gravity_work = world.energy.gravity_work;
   r.normal_damping_loss = world.energy.normal_damping;
   r.tangential_work = world.energy.tangential_work;
@@ -84,6 +84,19 @@ void read_forces(Press const& press, Reading& r) {
   double const weight = -press.grain_mass * press.world.gravity.z();
   r.axial_imbalance = r.upper_punch_force - r.lower_punch_force - r.wall_axial_force + weight +
                       inertia_force(press.world.grains);
+}
+
+/// Deformable tools, in the order of the press; nothing of rigid ones.
+void read_deformation(Press const& press, Reading& r) {
+  ToolCoupling const& coupling = press.coupling;
+  if (coupling.is_rigid())
+    return;
+  r.bore_growth = coupling.retreat(0, press.world);
+  r.upper_punch_retreat = coupling.retreat(1, press.world);
+  r.lower_punch_retreat = coupling.retreat(2, press.world);
+  r.tool_energy = coupling.energy(press.world);
+  if (coupling.choice().mode != CouplingMode::one_way)
+    r.bed_height += r.upper_punch_retreat + r.lower_punch_retreat;
 }
 
 } // namespace
@@ -111,6 +124,10 @@ std::vector<PressRecord::Column> curve_columns() {
           {"rolling_loss", "J"},
           {"released_energy", "J"},
           {"frame_energy", "J"},
+          {"tool_energy", "J"},
+          {"upper_punch_retreat", "m"},
+          {"lower_punch_retreat", "m"},
+          {"bore_growth", "m"},
           {"energy_error", "J"},
           {"axial_imbalance", "N"}};
 }
@@ -138,6 +155,10 @@ std::vector<double> row_of(Reading const& r) {
           r.rolling_loss,
           r.released_energy,
           r.frame_energy,
+          r.tool_energy,
+          r.upper_punch_retreat,
+          r.lower_punch_retreat,
+          r.bore_growth,
           r.energy_error,
           r.axial_imbalance};
 }
@@ -149,6 +170,7 @@ Reading read_press(Press const& press) {
   r.time = world.time;
   r.punch_gap = press.programme.commanded_gap(world);
   r.bed_height = punch_gap(world, press.programme.faces());
+  read_deformation(press, r);
   r.compact_height = dem::compact_extent(world.grains, floor_of(press)).height();
   r.mean_overlap = statistics.mean_overlap;
   r.max_relative_overlap =

@@ -35,6 +35,10 @@ struct Reading {
   double rolling_loss = 0.0;         ///< [J]
   double released_energy = 0.0;      ///< [J], that went with removed tools
   double frame_energy = 0.0;         ///< [J], in the press frame, beside the grains' ledger
+  double tool_energy = 0.0;          ///< [J], stored in deformable tools, likewise
+  double upper_punch_retreat = 0.0;  ///< [m], mean shortening of the punch at its face
+  double lower_punch_retreat = 0.0;  ///< [m]
+  double bore_growth = 0.0;          ///< [m], of the bore's radius, mean over the bore
   double energy_error = 0.0;         ///< [J], energy found - energy accounted for
   double axial_imbalance = 0.0;      ///< [N], F_upper - F_lower - F_wall + W + dP/dt
 };

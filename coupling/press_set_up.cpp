@@ -26,16 +26,29 @@ constexpr double largest_rayleigh_fraction = 0.2;
 dem::World empty_world(Case const& setup) {
   dem::World world;
   world.materials = make_materials(setup);
-  world.tools = make_tools(setup, tool_material(setup));
   world.gravity = setup.gravity;
   world.contacts = dem::ContactEngine(setup.contacts.law);
   return world;
 }
 
+void put_tools(Press& press) {
+  Case const& setup = press.setup;
+  if (setup.elastic.coupling.mode == CouplingMode::rigid) {
+    press.world.tools = make_tools(setup, tool_material(setup));
+    return;
+  }
+  std::vector<std::shared_ptr<YieldingTool const>> bodies;
+  for (ElasticPair const& pair : make_yielding_tools(setup)) {
+    dem::Tool tool{
+        .name = pair.body->name, .surface = pair.touched, .material = tool_material(setup)};
+    tool.deformation = pair.body->surface;
+    press.world.tools.push_back(std::move(tool));
+    bodies.push_back(pair.body);
+  }
+  press.coupling = ToolCoupling(setup.elastic.coupling, std::move(bodies));
+}
+
 Press empty_press(Case const& setup) {
-  VALIDATE(setup.mode == "rigid",
-           fmt::format("{}: Mode = {}: this version has rigid tools only. Mode = rigid?",
-                       setup.file.string(), setup.mode));
   auto const stages = stages_of(setup);
   try {
     validate_stages(stages, setup.powder.fill_height);
@@ -43,13 +56,16 @@ Press empty_press(Case const& setup) {
     throw dem::InvalidInput(
         fmt::format("{}: Press programme: {}", setup.file.string(), error.what()));
   }
-  return {.setup = setup,
-          .world = empty_world(setup),
-          .programme =
-              PressProgramme(stages, starting_faces(setup), longest_step_of(setup.time_stepping),
-                             setup.time_stepping.adaptive, setup.frame),
-          .record = PressRecord(curve_columns()),
-          .tally = {}};
+  Press press{.setup = setup,
+              .world = empty_world(setup),
+              .programme = PressProgramme(stages, starting_faces(setup),
+                                          longest_step_of(setup.time_stepping),
+                                          setup.time_stepping.adaptive, setup.frame),
+              .record = PressRecord(curve_columns()),
+              .tally = {},
+              .coupling = {}};
+  put_tools(press);
+  return press;
 }
 
 double total_mass(dem::Spheres const& grains) {

@@ -30,6 +30,38 @@ double share(double error, double scale) {
 // The frame follows the force in windows; what it lags behind must not matter.
 constexpr double frame_tolerance = 0.02;
 
+// Rounding for the transfer; windows of finite length lag behind with their work.
+constexpr double transfer_tolerance = 1e-12;
+constexpr double interface_tolerance = 1e-3;
+constexpr double explicit_limit = 0.3;
+constexpr double one_way_limit = 0.05;
+
+void append_coupling_checks(Press const& press, std::vector<Check>& checks) {
+  ToolCoupling const& coupling = press.coupling;
+  if (coupling.is_rigid())
+    return;
+  CouplingChecks const& kept = coupling.checks();
+  CouplingMode const mode = coupling.choice().mode;
+  checks.push_back(upper_bound("transfer, force", kept.force, transfer_tolerance));
+  checks.push_back(upper_bound("transfer, moment", kept.moment, transfer_tolerance));
+  if (mode == CouplingMode::one_way) {
+    // What rigid walls miss of the force is about rho / (1 + rho).
+    checks.push_back(upper_bound("one-way, force missed",
+                                 kept.coupling_number / (1.0 + kept.coupling_number),
+                                 one_way_limit));
+    return;
+  }
+  checks.push_back(upper_bound("transfer, power", kept.power, transfer_tolerance));
+  checks.push_back(upper_bound("interface work, error / peak work",
+                               share(kept.work_error, energy_scale(press)), interface_tolerance));
+  if (mode == CouplingMode::two_way_explicit)
+    checks.push_back(
+        upper_bound("coupling number of the explicit mode", kept.coupling_number, explicit_limit));
+  if (mode == CouplingMode::two_way_implicit)
+    checks.push_back(upper_bound("loads of a window, change in its last iteration", kept.residual,
+                                 coupling.choice().tolerance));
+}
+
 std::vector<Check> checks_of(Press const& press) {
   PressTally const& tally = press.tally;
   std::vector<Check> checks{
@@ -48,6 +80,7 @@ std::vector<Check> checks_of(Press const& press) {
   if (!press.setup.frame.is_rigid())
     checks.push_back(upper_bound("press frame, error / largest deflection",
                                  press.programme.frame().largest_error(), frame_tolerance));
+  append_coupling_checks(press, checks);
   return checks;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contact/pack.hpp"
+#include "dem/surface/tool_deformation.hpp"
 
 #include <cstdint>
 #include <new>
@@ -49,6 +50,13 @@ struct WallContact {
   double normal_force; ///< [N]
 };
 
+/// What a contact with a deformable tool follows, and what it gave the tool in this window.
+struct WallYield {
+  SurfacePlace place;
+  ToolDeformation::Motion motion;
+  Vec3 impulse = Vec3::Zero(); ///< [N s], on the tool
+};
+
 /// Power and losses of one sweep over one block [W].
 struct BlockPower {
   double normal_loss = 0.0, tangential = 0.0, rolling = 0.0;
@@ -69,6 +77,7 @@ template <class T> struct ContactBlock {
   std::vector<std::uint16_t> owner;   ///< slot of the grain, pairs only
   std::vector<std::uint16_t> partner; ///< slot of the other grain, pairs only
   std::vector<WallContact> walls;
+  std::vector<WallYield> yields; ///< of each wall; empty if every tool is rigid
   std::vector<std::uint32_t>
       rows; ///< row of each slot: the block's own, then the foreign partners, sorted
   std::size_t stride = 0;

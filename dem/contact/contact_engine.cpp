@@ -37,6 +37,12 @@ void ContactEngine::complete(World& world) {
 void ContactEngine::evaluate(World& world) {
   store_->evaluate(world);
 }
+void ContactEngine::follow_tools(World const& world) {
+  store_->follow_tools(world);
+}
+std::vector<WallImpulse> ContactEngine::take_impulses() {
+  return store_->take_impulses();
+}
 void ContactEngine::visit(World const& world, ContactStream::Visit const& visit) const {
   store_->visit(world, visit);
 }

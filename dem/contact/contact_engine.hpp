@@ -4,6 +4,7 @@
 #include "dem/contact/contact_choice.hpp"
 #include "dem/contact/contact_state.hpp"
 #include "dem/step/world_fwd.hpp"
+#include "dem/surface/tool_deformation.hpp"
 
 #include <cstdint>
 #include <memory>
@@ -60,6 +61,13 @@ public:
 
   /// Lists and forces of the present state; nothing moves, no spring advances.
   void evaluate(World& world);
+
+  /// Lets every contact with a deformable tool follow what the tool does in the window that begins
+  /// now.
+  void follow_tools(World const& world);
+  /// What grains gave the deformable tools since it was last asked, one entry a contact and list,
+  /// in the order of blocks; places are those of the beginning of the window or of the list.
+  std::vector<WallImpulse> take_impulses();
 
   /// Every active contact in full precision, with the springs as they are, in the order of rows.
   void visit(World const& world, ContactStream::Visit const& visit) const;

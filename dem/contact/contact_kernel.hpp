@@ -15,7 +15,8 @@ template <class T> struct SweepInput {
   MotionRecord<T> const* motions;
   std::span<Tool const> tools;
   ModelSwitches<T> switches;
-  double dt; ///< [s]; 0: forces only, the springs stay as they are
+  double dt;          ///< [s]; 0: forces only, the springs stay as they are
+  double window_time; ///< [s], since the window of the deformable tools began
 };
 
 /// A contact model behind a table of functions, so that it is chosen once a sweep and inlined

@@ -33,7 +33,7 @@ ContactInput<double> pair_input(Spheres const& g, std::size_t i, std::size_t j) 
           .spin_j = triple(g.spin[j])};
 }
 
-ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t i,
+ContactInput<double> wall_input(Spheres const& g, Vec3 const& tool_velocity, std::size_t i,
                                 SurfacePoint const& at) {
   double const sum = 2.0 * g.radius[i], r = g.radius[i] + at.distance;
   return {.separation = triple(r * at.normal),
@@ -41,7 +41,7 @@ ContactInput<double> wall_input(Spheres const& g, Tool const& tool, std::size_t 
           .radius_sum = sum,
           .radius_i = g.radius[i],
           .radius_j = g.radius[i],
-          .velocity = triple(g.velocity[i] - tool.velocity),
+          .velocity = triple(g.velocity[i] - tool_velocity),
           .spin_i = triple(g.spin[i]),
           .spin_j = {0.0, 0.0, 0.0}};
 }
@@ -82,7 +82,10 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
     if (!tool.present)
       continue;
     found.clear();
-    Vec3 const centre = g.position[wall.owner] - tool.displacement;
+    auto const motion = block.yields.empty() ? ToolDeformation::Motion{} : block.yields[k].motion;
+    Vec3 const shift =
+        tool.displacement + motion.displacement + world.window_time * motion.velocity;
+    Vec3 const centre = g.position[wall.owner] - shift;
     if (wall.inside_rim) {
       found.push_back(tool.surface.on_patch(wall.patch, centre));
     } else {
@@ -94,10 +97,10 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
     Contact c{};
     c.i = wall.owner, c.j = Contact::none, c.tool = wall.tool, c.patch = wall.patch;
     c.triangle = found.front().triangle;
-    c.point = found.front().point + tool.displacement;
+    c.point = found.front().point + shift;
     kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner),
                       choice_, constants);
-    visit(c, wall_input(g, tool, wall.owner, found.front()), constants,
+    visit(c, wall_input(g, tool.velocity + motion.velocity, wall.owner, found.front()), constants,
           memory_at(block.wall_offset + k));
   }
 }
@@ -227,8 +230,14 @@ template <class T> ContactState TypedStore<T>::capture() const {
                      .inner_tool = lists_.inner.tool,
                      .outer_tool_skin = lists_.outer.tool_skin,
                      .inner_tool_skin = lists_.inner.tool_skin,
+                     .outer_tool_yielded = lists_.outer.tool_yielded,
+                     .inner_tool_yielded = lists_.inner.tool_yielded,
+                     .outer_tool_extent = lists_.outer.tool_extent,
+                     .inner_tool_extent = lists_.inner.tool_extent,
                      .spring = {},
                      .normal_memory = {},
+                     .yields = {},
+                     .impulses = impulses_,
                      .outer_builds = lists_.outer_builds,
                      .inner_builds = lists_.inner_builds};
   for (ContactBlock<T> const& block : lists_.blocks) {
@@ -241,6 +250,7 @@ template <class T> ContactState TypedStore<T>::capture() const {
       keep(k);
     for (std::size_t k = 0; k < block.walls.size(); ++k)
       keep(block.wall_offset + k);
+    state.yields.insert(state.yields.end(), block.yields.begin(), block.yields.end());
   }
   return state;
 }
@@ -250,13 +260,20 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
   VALIDATE(state.outer_position.size() == n && state.inner_position.size() == n &&
                state.outer_skin.size() == n && state.inner_skin.size() == n &&
                state.inner_tool.size() == world.tools.size() &&
-               state.outer_tool.size() == world.tools.size(),
+               state.outer_tool.size() == world.tools.size() &&
+               state.inner_tool_extent.size() == world.tools.size() &&
+               state.outer_tool_extent.size() == world.tools.size() &&
+               state.inner_tool_yielded.size() == world.tools.size() &&
+               state.outer_tool_yielded.size() == world.tools.size(),
            "restart: the contact lists do not belong to these grains and tools. Is the file from "
            "another case?");
   lists_ = {};
   is_open_ = false;
-  lists_.outer = {state.outer_position, state.outer_skin, state.outer_tool, state.outer_tool_skin};
-  lists_.inner = {state.inner_position, state.inner_skin, state.inner_tool, state.inner_tool_skin};
+  lists_.outer = {state.outer_position,  state.outer_skin,         state.outer_tool,
+                  state.outer_tool_skin, state.outer_tool_yielded, state.outer_tool_extent};
+  lists_.inner = {state.inner_position,  state.inner_skin,         state.inner_tool,
+                  state.inner_tool_skin, state.inner_tool_yielded, state.inner_tool_extent};
+  impulses_ = state.impulses;
   double const beyond = reach(world);
   build_outer(world, beyond, lists_);
   CarriedContacts<T> none;
@@ -265,8 +282,13 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
   lists_.outer_builds = state.outer_builds;
   lists_.inner_builds = state.inner_builds;
   travel_.clear();
-  std::size_t next = 0;
+  std::size_t next = 0, next_yield = 0;
   for (ContactBlock<T>& block : lists_.blocks) {
+    VALIDATE(next_yield + block.yields.size() <= state.yields.size(),
+             "restart: fewer contacts follow deformable tools than there are. Is the file from "
+             "another version?");
+    for (WallYield& yield : block.yields)
+      yield = state.yields[next_yield++];
     VALIDATE(next + block.n_pairs + block.walls.size() <= state.spring.size() &&
                  state.spring.size() == state.normal_memory.size(),
              "restart: fewer contact springs than contacts. Is the file from another version?");

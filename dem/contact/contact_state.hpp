@@ -1,5 +1,6 @@
 #pragma once
 
+#include "dem/contact/contact_block.hpp"
 #include "dem/vec3.hpp"
 
 #include <cstdint>
@@ -14,9 +15,13 @@ struct ContactState {
   std::vector<Vec3> outer_position, inner_position; ///< [m], n_grains, at the last builds
   std::vector<double> outer_skin, inner_skin;       ///< [m], n_grains
   std::vector<Vec3> outer_tool, inner_tool; ///< [m], displacement of each tool at the last builds
-  std::vector<double> outer_tool_skin, inner_tool_skin; ///< [m], n_tools
-  std::vector<Vec3> spring;                             ///< [m], n_contacts
-  std::vector<double> normal_memory;                    ///< n_contacts
+  std::vector<double> outer_tool_skin, inner_tool_skin;       ///< [m], n_tools
+  std::vector<double> outer_tool_yielded, inner_tool_yielded; ///< [m], n_tools, as in ListAge
+  std::vector<double> outer_tool_extent, inner_tool_extent;   ///< [m], n_tools
+  std::vector<Vec3> spring;                                   ///< [m], n_contacts
+  std::vector<double> normal_memory;                          ///< n_contacts
+  std::vector<WallYield> yields;     ///< n_contacts with tools if one is deformable, else none
+  std::vector<WallImpulse> impulses; ///< of this window, of contacts of lists that are gone
   std::uint64_t outer_builds = 0, inner_builds = 0;
 };
 

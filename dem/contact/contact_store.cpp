@@ -35,13 +35,18 @@ SkinRules skin_rules(World const& world, double dt) {
 }
 
 ListAge age_now(World const& world, SkinRule const& rule) {
-  ListAge age{.position = world.grains.position, .skin = {}, .tool = {}, .tool_skin = {}};
+  ListAge age;
+  age.position = world.grains.position;
   age.skin.reserve(world.grains.size());
   for (Vec3 const& v : world.grains.velocity)
     age.skin.push_back(rule.skin(v.norm()));
   for (Tool const& tool : world.tools) {
+    ToolDeformation const* const deformation = tool.deformation.get();
+    double const speed = tool.velocity.norm() + (deformation ? deformation->speed() : 0.0);
     age.tool.push_back(tool.displacement);
-    age.tool_skin.push_back(rule.skin(tool.velocity.norm()));
+    age.tool_skin.push_back(rule.skin(speed));
+    age.tool_yielded.push_back(tool.yielded);
+    age.tool_extent.push_back(deformation ? deformation->extent() : 0.0);
   }
   return age;
 }
@@ -102,7 +107,7 @@ template <class T> bool TypedStore<T>::tools_hold(World const& world) const {
   if (age.position.size() != world.grains.size() || age.tool.size() != world.tools.size())
     return false;
   for (std::size_t t = 0; t < world.tools.size(); ++t)
-    if ((world.tools[t].displacement - age.tool[t]).norm() > age.tool_skin[t])
+    if (age.tool_way(world.tools[t], t) > age.tool_skin[t])
       return false;
   return true;
 }
@@ -151,11 +156,12 @@ template <class T> bool TypedStore<T>::try_inner_build(World const& world, doubl
     age.skin[i] = std::min(age.skin[i], left);
   }
   for (std::size_t t = 0; t < world.tools.size(); ++t) {
-    double const left = outer.tool_skin[t] - (world.tools[t].displacement - outer.tool[t]).norm();
+    double const left = outer.tool_skin[t] - outer.tool_way(world.tools[t], t);
     if (left < least_share * age.tool_skin[t])
       return false;
     age.tool_skin[t] = std::min(age.tool_skin[t], left);
   }
+  keep_impulses();
   auto const carried = carry(lists_, {}, world.grains.size());
   lists_.inner = std::move(age);
   build_inner(world, kernel_, choice_, reach(world), carried, lists_);
@@ -174,6 +180,7 @@ template <class T> void TypedStore<T>::full_build(World& world, double dt) {
   lists_.inner = age_now(world, rules.inner);
   double const beyond = reach(world);
   build_outer(world, beyond, lists_);
+  keep_impulses();
   // After the outer list, so that the largest things are not held at once.
   auto const carried = carry(lists_, new_row, world.grains.size());
   build_inner(world, kernel_, choice_, beyond, carried, lists_);
@@ -286,8 +293,11 @@ template <class T> void TypedStore<T>::tally_tools(World& world, double dt) cons
   std::vector<Vec3> force(world.tools.size(), Vec3::Zero());
   std::vector<double> radial(world.tools.size(), 0.0);
   for (ContactBlock<T> const& block : lists_.blocks)
-    for (WallContact const& wall : block.walls) {
+    for (std::size_t k = 0; k < block.walls.size(); ++k) {
+      WallContact const& wall = block.walls[k];
       Vec3 const f(wall.fx, wall.fy, wall.fz);
+      if (!block.yields.empty())
+        world.tools[wall.tool].yield_work += dt * f.dot(block.yields[k].motion.velocity);
       force[wall.tool] -= f;
       double const r = std::sqrt(wall.px * wall.px + wall.py * wall.py);
       if (r > 0.0)
@@ -308,7 +318,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
       .tools = world.tools,
       .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
                    .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
-      .dt = dt};
+      .dt = dt,
+      .window_time = world.window_time};
 #pragma omp parallel for schedule(dynamic, 1) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     kernel_.sweep(lists_.blocks[b], input);

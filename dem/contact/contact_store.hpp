@@ -16,6 +16,8 @@ public:
   virtual void sweep(World& world, double dt) = 0;
   virtual void complete(World& world) = 0;
   virtual void evaluate(World& world) = 0;
+  virtual void follow_tools(World const& world) = 0;
+  virtual std::vector<WallImpulse> take_impulses() = 0;
   virtual void visit(World const& world, ContactStream::Visit const& visit) const = 0;
   virtual StoredEnergy energy(World const& world) const = 0;
   virtual double stable_step(World const& world) const = 0;
@@ -38,6 +40,8 @@ public:
   void sweep(World& world, double dt) override;
   void complete(World& world) override;
   void evaluate(World& world) override;
+  void follow_tools(World const& world) override;
+  std::vector<WallImpulse> take_impulses() override;
   void visit(World const& world, ContactStream::Visit const& visit) const override;
   StoredEnergy energy(World const& world) const override;
   double stable_step(World const& world) const override;
@@ -54,6 +58,7 @@ private:
   bool try_inner_build(World const& world, double dt);
   void full_build(World& world, double dt);
   void write_records(World const& world);
+  void keep_impulses();
   GrainLoad load_of(World const& world, std::uint32_t i) const;
   void tally_tools(World& world, double dt) const;
   template <class Visit>
@@ -66,6 +71,7 @@ private:
   ContactChoice choice_;
   ContactKernel<T> kernel_;
   ContactLists<T> lists_;
+  std::vector<WallImpulse> impulses_; ///< of this window, of contacts of lists that are gone
   std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
   bool is_open_ = false;     ///< the grains still lack the loads and half kick of the last sweep

@@ -1,5 +1,6 @@
 #include "dem/contact/list_filter.hpp"
 
+#include "dem/contact/wall_yield.hpp"
 #include "dem/expect.hpp"
 
 #include <algorithm>
@@ -110,6 +111,8 @@ template <class T>
 void list_walls(World const& world, double reach, ContactLists<T> const& lists,
                 ContactBlock<T>& block) {
   block.walls.clear();
+  block.yields.clear();
+  bool const deforms = any_deforms(world.tools);
   std::vector<SurfacePoint> found;
   for (std::uint32_t i = block.first_row; i < block.end_row; ++i) {
     double const radius = world.grains.radius[i];
@@ -118,7 +121,8 @@ void list_walls(World const& world, double reach, ContactLists<T> const& lists,
       Tool const& tool = world.tools[t];
       if (!tool.present)
         continue;
-      double const travel = lists.inner.skin[i] + lists.inner.tool_skin[t];
+      double const travel =
+          lists.inner.skin[i] + lists.inner.tool_skin[t] + lists.inner.tool_extent[t];
       Vec3 const centre = lists.inner.position[i] - lists.inner.tool[t];
       bool const is_sure = patch != NearTool::searched;
       found.clear();
@@ -126,19 +130,23 @@ void list_walls(World const& world, double reach, ContactLists<T> const& lists,
         found.push_back(tool.surface.on_patch(patch, centre));
       else
         tool.surface.find(centre, radius + travel + reach, found);
-      for (SurfacePoint const& at : found)
-        if (at.distance <= radius + travel + reach)
-          block.walls.push_back({.owner = i,
-                                 .tool = t,
-                                 .patch = at.patch,
-                                 .inside_rim = is_sure || stays_inside(tool, at, radius, travel),
-                                 .px = 0,
-                                 .py = 0,
-                                 .pz = 0,
-                                 .fx = 0,
-                                 .fy = 0,
-                                 .fz = 0,
-                                 .normal_force = 0});
+      for (SurfacePoint const& at : found) {
+        if (at.distance > radius + travel + reach)
+          continue;
+        block.walls.push_back({.owner = i,
+                               .tool = t,
+                               .patch = at.patch,
+                               .inside_rim = is_sure || stays_inside(tool, at, radius, travel),
+                               .px = 0,
+                               .py = 0,
+                               .pz = 0,
+                               .fx = 0,
+                               .fy = 0,
+                               .fz = 0,
+                               .normal_force = 0});
+        if (deforms)
+          block.yields.push_back(yield_at(tool, at.patch, at.point));
+      }
     }
   }
 }
@@ -165,7 +173,7 @@ std::vector<NearTool> tools_near(World const& world, ListAge const& age, std::si
     Tool const& tool = world.tools[t];
     if (!tool.present)
       continue;
-    double const travel = age.skin[i] + age.tool_skin[t];
+    double const travel = age.skin[i] + age.tool_skin[t] + age.tool_extent[t];
     found.clear();
     tool.surface.find(age.position[i] - age.tool[t], radius + travel + reach, found);
     if (found.empty())

@@ -69,14 +69,20 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
 /// A tool is a partner of the grain's own radius that stands behind the surface: its surface point
 /// and normal are the tool's, and the distance keeps its sign however deep the grain goes.
 template <class T>
-void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> const& in,
-                  std::vector<SurfacePoint>& found) {
+void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std::size_t n,
+                  SweepInput<T> const& in, std::vector<SurfacePoint>& found) {
   for (std::size_t k = 0; k < n; ++k) {
     WallContact& wall = walls[k];
     Tool const& tool = in.tools[wall.tool];
     PlaceRecord const& place = in.places[wall.owner];
     MotionRecord<T> const& motion = in.motions[wall.owner];
-    Vec3 const centre = Vec3(place.x, place.y, place.z) - tool.displacement;
+    Vec3 shift = tool.displacement, velocity = tool.velocity;
+    if (yields) {
+      auto const& [displacement, speed] = yields[k].motion;
+      shift += displacement + in.window_time * speed;
+      velocity += speed;
+    }
+    Vec3 const centre = Vec3(place.x, place.y, place.z) - shift;
     double distance = 2.0 * place.radius; // nothing there: as far as a partner that does not touch
     Vec3 normal = Vec3::UnitZ(), point = centre;
     if (tool.present) {
@@ -91,15 +97,14 @@ void gather_walls(Batch<T>& b, WallContact* walls, std::size_t n, SweepInput<T> 
             distance = at.distance, normal = at.normal, point = at.point;
       }
     }
-    wall.px = point.x() + tool.displacement.x();
-    wall.py = point.y() + tool.displacement.y();
-    wall.pz = point.z() + tool.displacement.z();
+    wall.px = point.x() + shift.x(), wall.py = point.y() + shift.y();
+    wall.pz = point.z() + shift.z();
     Vec3 const separation = (place.radius + distance) * normal;
     b.x[k] = separation.x(), b.y[k] = separation.y(), b.z[k] = separation.z();
     b.sum[k] = 2.0 * place.radius;
-    b.vx[k] = motion.vx - static_cast<T>(tool.velocity.x());
-    b.vy[k] = motion.vy - static_cast<T>(tool.velocity.y());
-    b.vz[k] = motion.vz - static_cast<T>(tool.velocity.z());
+    b.vx[k] = motion.vx - static_cast<T>(velocity.x());
+    b.vy[k] = motion.vy - static_cast<T>(velocity.y());
+    b.vz[k] = motion.vz - static_cast<T>(velocity.z());
     b.wix[k] = motion.wx, b.wiy[k] = motion.wy, b.wiz[k] = motion.wz;
     b.wjx[k] = b.wjy[k] = b.wjz[k] = T(0);
     b.radius_i[k] = b.radius_j[k] = static_cast<T>(place.radius);
@@ -237,13 +242,16 @@ void scatter_pairs(Batch<T> const& b, ContactBlock<T>& block, std::size_t first,
 }
 
 template <class T>
-void scatter_walls(Batch<T> const& b, std::size_t n, WallContact* walls, ContactBlock<T>& block) {
+void scatter_walls(Batch<T> const& b, std::size_t n, WallContact* walls, WallYield* yields,
+                   double dt, ContactBlock<T>& block) {
   for (std::size_t k = 0; k < n; ++k) {
     LoadRecord<T>& r = block.loads[walls[k].owner - block.first_row];
     r.fx += b.fx[k], r.fy += b.fy[k], r.fz += b.fz[k];
     r.tx += b.tix[k], r.ty += b.tiy[k], r.tz += b.tiz[k];
     walls[k].fx = b.fx[k], walls[k].fy = b.fy[k], walls[k].fz = b.fz[k];
     walls[k].normal_force = b.normal_force[k];
+    if (yields)
+      yields[k].impulse -= dt * Vec3(b.fx[k], b.fy[k], b.fz[k]);
   }
 }
 
@@ -262,11 +270,12 @@ template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T>
   std::vector<SurfacePoint> found;
   for (std::size_t k = 0; k < block.walls.size(); k += batch) {
     std::size_t const n = std::min(batch, block.walls.size() - k), full = padded<T>(n);
-    gather_walls(b, block.walls.data() + k, n, in, found);
+    WallYield* const yields = block.yields.empty() ? nullptr : block.yields.data() + k;
+    gather_walls(b, block.walls.data() + k, yields, n, in, found);
     blank(b, n, full);
     form_gaps(b, full);
     evaluate_batch<Model>(b, full, block, block.wall_offset + k, in, power);
-    scatter_walls(b, n, block.walls.data() + k, block);
+    scatter_walls(b, n, block.walls.data() + k, yields, in.dt, block);
   }
   auto const sum = [](Pack<T> const& p) {
     double total = 0.0;

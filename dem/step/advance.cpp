@@ -11,9 +11,13 @@ namespace dem {
 
 namespace {
 
-void move_tools(std::vector<Tool>& tools, double dt) {
-  for (Tool& tool : tools)
+void move_tools(World& world, double dt) {
+  for (Tool& tool : world.tools) {
     tool.displacement += dt * tool.velocity;
+    if (tool.deformation)
+      tool.yielded += dt * tool.deformation->speed();
+  }
+  world.window_time += dt;
 }
 
 /// A lost number spreads through every contact: look for it in the sum of all positions.
@@ -47,7 +51,7 @@ void advance_ahead(World& world, double dt) {
   world.energy.gravity_work += dt * gravity_power; // exact: m g . dx
   if (!std::isfinite(gravity_power))
     refuse_lost_numbers(world);
-  move_tools(world.tools, dt);
+  move_tools(world, dt);
   world.contacts.refresh(world, dt);
   world.contacts.sweep(world, dt);
   world.time += dt;

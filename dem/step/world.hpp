@@ -27,6 +27,7 @@ struct World {
   std::vector<Tool> tools;
   Vec3 gravity = Vec3(0.0, 0.0, -9.81); ///< [m/s^2]
   double time = 0.0;                    ///< [s]
+  double window_time = 0.0;             ///< [s], since deformable tools last changed their course
   std::uint64_t step = 0;
   EnergyTally energy;
   ContactEngine contacts; ///< neighbour lists, contact history, laws

@@ -11,9 +11,12 @@ WorldState capture_state(World const& world) {
                    .tool_force = {},
                    .tool_radial_force = {},
                    .tool_work = {},
+                   .tool_yielded = {},
+                   .tool_yield_work = {},
                    .tool_present = {},
                    .energy = world.energy,
                    .time = world.time,
+                   .window_time = world.window_time,
                    .step = world.step};
   for (Tool const& tool : world.tools) {
     state.tool_displacement.push_back(tool.displacement);
@@ -21,6 +24,8 @@ WorldState capture_state(World const& world) {
     state.tool_force.push_back(tool.force);
     state.tool_radial_force.push_back(tool.radial_force);
     state.tool_work.push_back(tool.work);
+    state.tool_yielded.push_back(tool.yielded);
+    state.tool_yield_work.push_back(tool.yield_work);
     state.tool_present.push_back(tool.present ? 1 : 0);
   }
   return state;
@@ -36,6 +41,8 @@ void restore_state(World& world, WorldState const& state) {
                state.tool_force.size() == world.tools.size() &&
                state.tool_radial_force.size() == world.tools.size() &&
                state.tool_work.size() == world.tools.size() &&
+               state.tool_yielded.size() == world.tools.size() &&
+               state.tool_yield_work.size() == world.tools.size() &&
                state.tool_present.size() == world.tools.size(),
            "restart: it holds another number of tools than the case. Is it from another case?");
   world.grains = g;
@@ -46,10 +53,13 @@ void restore_state(World& world, WorldState const& state) {
     tool.force = state.tool_force[t];
     tool.radial_force = state.tool_radial_force[t];
     tool.work = state.tool_work[t];
+    tool.yielded = state.tool_yielded[t];
+    tool.yield_work = state.tool_yield_work[t];
     tool.present = state.tool_present[t] != 0;
   }
   world.energy = state.energy;
   world.time = state.time;
+  world.window_time = state.window_time;
   world.step = state.step;
   world.contacts.restore(world, state.contacts);
 }

@@ -66,7 +66,7 @@ void advance(dem::World& world, int steps) {
 std::map<std::string, std::string> bytes_of(dem::World const& world) {
   std::map<std::string, std::string> bytes;
   dem::WorldState state = dem::capture_state(world);
-  dem::visit_state(state, [&](char const* name, auto& value) {
+  dem::visit_state(state, [&](std::string const& name, auto& value) {
     using Value = std::remove_cvref_t<decltype(value)>;
     if constexpr (std::is_arithmetic_v<Value>) {
       bytes[name].assign(reinterpret_cast<char const*>(&value), sizeof value);

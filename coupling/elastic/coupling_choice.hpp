@@ -1,0 +1,31 @@
+#pragma once
+
+#include "continuum/tool/elastic_material.hpp"
+
+#include <cstdint>
+
+namespace coupling {
+
+enum class CouplingMode { rigid, one_way, two_way_explicit, two_way_secant, two_way_implicit };
+enum class Accelerator { aitken, iqn_ils };
+enum class ToolSupport { rollers, clamped };
+
+/// How grains and deformable tools are coupled. See ToolCoupling.
+struct CouplingChoice {
+  CouplingMode mode = CouplingMode::rigid;
+  std::uint64_t window = 100;                     ///< steps
+  Accelerator accelerator = Accelerator::iqn_ils; ///< implicit only, like the rest
+  double tolerance = 1e-4;                        ///< [1], of the loads
+  std::uint64_t most_iterations = 20;
+};
+
+/// The tools as elastic bodies. Their modulus here is that of the body; the one at a contact is
+/// Tooling's.
+struct ElasticTools {
+  continuum::ElasticMaterial material{.young_modulus = 210e9, .poisson_ratio = 0.3};
+  double cell_size = 3.5e-3; ///< [m], of the meshes where grains press
+  ToolSupport die_support = ToolSupport::rollers, punch_support = ToolSupport::clamped;
+  CouplingChoice coupling;
+};
+
+} // namespace coupling

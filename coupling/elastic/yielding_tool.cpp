@@ -1,0 +1,175 @@
+#include "coupling/elastic/yielding_tool.hpp"
+
+#include "continuum/errors.hpp"
+#include "continuum/session.hpp"
+#include "dem/expect.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <optional>
+
+namespace coupling {
+namespace {
+
+/// Where operators are kept between runs: $PRESSCHECK_CACHE, or the user's cache folder.
+std::optional<std::filesystem::path> cache_folder() {
+  if (char const* const own = std::getenv("PRESSCHECK_CACHE"))
+    return own;
+  if (char const* const cache = std::getenv("XDG_CACHE_HOME"))
+    return std::filesystem::path(cache) / "presscheck";
+  if (char const* const home = std::getenv("HOME"))
+    return std::filesystem::path(home) / ".cache" / "presscheck";
+  return std::nullopt;
+}
+
+continuum::InterfaceCompliance condensed(continuum::ElasticTool const& body,
+                                         std::string const& surface) {
+  auto const folder = cache_folder();
+  std::error_code error;
+  if (folder)
+    std::filesystem::create_directories(*folder, error);
+  if (!folder || error)
+    return continuum::InterfaceCompliance::condense(body, surface);
+  return continuum::InterfaceCompliance::cached(body, surface, *folder);
+}
+
+dem::TriangleSurface triangles_of(continuum::TraceTriangles const& mesh, dem::Vec3 const& offset) {
+  dem::TriangleSurface surface;
+  for (auto const& vertex : mesh.vertices)
+    surface.vertices.push_back(vertex + offset);
+  for (auto const& corners : mesh.triangles)
+    surface.triangles.push_back(corners);
+  return surface;
+}
+
+/// The patches whose triangles lie on the named surface of the trace.
+std::vector<std::uint32_t> patches_on(std::string const& name, dem::SmoothSurface const& touched,
+                                      continuum::SurfaceTrace const& boundary,
+                                      continuum::TraceTriangles const& mesh) {
+  std::vector<std::uint32_t> patches;
+  for (std::uint32_t patch = 0; patch < touched.patches().size(); ++patch) {
+    auto const triangle = touched.triangle_at(patch, touched.patches()[patch].origin);
+    if (boundary.surfaces[boundary.faces[mesh.faces[triangle]].surface] == name)
+      patches.push_back(patch);
+  }
+  return patches;
+}
+
+ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
+                      continuum::ToolMesh const& mesh, continuum::Supports const& supports,
+                      double z) {
+  auto const& tooling = setup.tooling;
+  dem::Vec3 const offset(0.0, 0.0, z);
+  auto const boundary = mesh.boundary();
+  auto const triangles = boundary.triangulate(tooling.chordal_tolerance);
+  dem::SmoothSurface touched(triangles_of(triangles, offset));
+  auto patches = patches_on(pressed, touched, boundary, triangles);
+  continuum::ElasticTool body(mesh, {mesh.n_regions(), setup.elastic.material}, supports);
+  auto compliance = condensed(body, pressed);
+  auto surface = std::make_shared<ElasticSurface>(mesh.trace(pressed), offset, std::move(patches));
+  Eigen::Matrix3Xd const pressure_loads = surface->trace().pressure_loads(1.0);
+  double const area = surface->trace().area();
+  Eigen::Matrix3Xd const retreat = compliance.displacement(pressure_loads) / area;
+  auto tool = std::make_shared<YieldingTool>(YieldingTool{.name = std::move(name),
+                                                          .pressed = std::move(pressed),
+                                                          .body = std::move(body),
+                                                          .compliance = std::move(compliance),
+                                                          .surface = std::move(surface),
+                                                          .offset = offset,
+                                                          .pressure_loads = pressure_loads,
+                                                          .area = area,
+                                                          .retreat_of_force = retreat});
+  return {.touched = std::move(touched), .body = std::move(tool)};
+}
+
+continuum::Supports supports_of(std::string const& surface, ToolSupport support) {
+  return support == ToolSupport::clamped ? continuum::Supports::clamped(surface)
+                                         : continuum::Supports::rollers(surface);
+}
+
+} // namespace
+
+Eigen::Matrix3Xd YieldingTool::displacement(Eigen::Matrix3Xd const& forces) const {
+  // C is symmetric: its columns under load are summed, the others (most of a bore above the bed)
+  // are never read.
+  Eigen::MatrixXd const& C = compliance.matrix();
+  Eigen::Map<Eigen::VectorXd const> const f(forces.data(), forces.size());
+  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, forces.cols());
+  Eigen::Map<Eigen::VectorXd> u(result.data(), result.size());
+  for (Eigen::Index k = 0; k < f.size(); ++k)
+    if (f[k] != 0.0)
+      u += f[k] * C.col(k);
+  return result;
+}
+
+double YieldingTool::retreat(Eigen::Matrix3Xd const& u) const {
+  return (pressure_loads.array() * u.array()).sum() / area;
+}
+
+double YieldingTool::retreat_under(Eigen::Matrix3Xd const& forces) const {
+  return (retreat_of_force.array() * forces.array()).sum();
+}
+
+double YieldingTool::pressing_force(Eigen::Matrix3Xd const& forces) const {
+  double sum = 0.0;
+  for (Eigen::Index a = 0; a < forces.cols(); ++a) {
+    double const weight = pressure_loads.col(a).norm();
+    if (weight > 0.0)
+      sum += pressure_loads.col(a).dot(forces.col(a)) / weight;
+  }
+  return sum;
+}
+
+std::vector<ElasticPair> make_yielding_tools(Case const& setup) {
+  // Only presses with deformable tools pay for MPI and PETSc; they stay until the program ends.
+  if (!continuum::Session::is_active())
+    static continuum::Session const session;
+  Tooling const& t = setup.tooling;
+  ElasticTools const& elastic = setup.elastic;
+  double const radius = 0.5 * t.bore_diameter;
+  try {
+    continuum::DieShape const die{
+        .bore_radius = radius, .outer_radius = radius + t.wall_thickness, .height = t.die_height};
+    continuum::PunchShape const upper{
+        .radius = radius, .length = t.punch_length, .place = continuum::PunchPlace::upper};
+    continuum::PunchShape lower = upper;
+    lower.place = continuum::PunchPlace::lower;
+    auto const punch_cells = continuum::cells_of_size(upper, elastic.cell_size);
+    auto const die_mesh =
+        continuum::ToolMesh::die(die, continuum::cells_of_size(die, elastic.cell_size));
+    auto const back = supports_of("back", elastic.punch_support);
+    std::vector<ElasticPair> tools;
+    tools.push_back(
+        make_pair(setup, "die", "bore", die_mesh, supports_of("bottom", elastic.die_support), 0.0));
+    tools.push_back(make_pair(setup, "upper_punch", "face",
+                              continuum::ToolMesh::punch(upper, punch_cells), back,
+                              setup.powder.fill_height));
+    tools.push_back(make_pair(setup, "lower_punch", "face",
+                              continuum::ToolMesh::punch(lower, punch_cells), back, 0.0));
+    return tools;
+  } catch (continuum::InvalidInput const& error) {
+    throw dem::InvalidInput(
+        fmt::format("{}: deformable tools: {}", setup.file.string(), error.what()));
+  }
+}
+
+double largest_gap(ElasticPair const& tool) {
+  auto const& trace = tool.body->surface->trace();
+  double largest = 0.0;
+  std::vector<dem::SurfacePoint> found;
+  for (std::uint32_t face = 0; face < trace.faces.size(); ++face)
+    for (double const xi : {0.113, 0.5, 0.887})
+      for (double const eta : {0.113, 0.5, 0.887}) {
+        dem::Vec3 const point = trace.position(face, xi, eta) + tool.body->offset;
+        found.clear();
+        tool.touched.find(point, 0.1 * std::sqrt(tool.body->area), found);
+        double nearest = std::numeric_limits<double>::infinity();
+        for (auto const& at : found)
+          nearest = std::min(nearest, std::abs(at.distance));
+        largest = std::max(largest, nearest);
+      }
+  return largest;
+}
+
+} // namespace coupling

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "continuum/tool/elastic_tool.hpp"
+#include "continuum/tool/interface_compliance.hpp"
+#include "coupling/case.hpp"
+#include "coupling/elastic/elastic_surface.hpp"
+#include "dem/surface/tool.hpp"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace coupling {
+
+/// A tool of the press as an elastic body: what grains touch is the trace of its FE mesh.
+/// Immutable but for the course of its surface.
+struct YieldingTool {
+  std::string name;    ///< "die", "upper_punch", "lower_punch"
+  std::string pressed; ///< the surface that grains press: "bore" or "face"
+  continuum::ElasticTool body;
+  continuum::InterfaceCompliance compliance; ///< on that surface
+  std::shared_ptr<ElasticSurface> surface;
+  dem::Vec3 offset; ///< [m], from the frame of the mesh to the tool's own
+
+  Eigen::Matrix3Xd pressure_loads;   ///< of 1 Pa on the surface [m^2]: they point into the body
+  double area;                       ///< [m^2]
+  Eigen::Matrix3Xd retreat_of_force; ///< C P / A [m/N]: its product with forces is their retreat
+
+  /// u = C f [m]
+  Eigen::Matrix3Xd displacement(Eigen::Matrix3Xd const& forces) const;
+  /// Mean displacement into the body over the surface [m]: P.u / A.
+  double retreat(Eigen::Matrix3Xd const& displacement) const;
+  /// The same from forces, without C.
+  double retreat_under(Eigen::Matrix3Xd const& forces) const;
+  /// Sum of the components into the body [N].
+  double pressing_force(Eigen::Matrix3Xd const& forces) const;
+};
+
+/// A tool that grains touch, and the body behind it.
+struct ElasticPair {
+  dem::SmoothSurface touched; ///< the trace of the whole mesh as triangles, where it stands at rest
+  std::shared_ptr<YieldingTool const> body;
+};
+
+/// The press's die, upper and lower punch (in this order) from the case's dimensions; operators
+/// are read from the user's cache folder where they are.
+/// @throws dem::InvalidInput  if a tool cannot be meshed or held
+std::vector<ElasticPair> make_yielding_tools(Case const& setup);
+
+/// Largest distance between the FE surface and the shape that grains follow on it [m], at Gauss
+/// points: facets of a round surface are recognised as what they tessellate.
+double largest_gap(ElasticPair const& tool);
+
+} // namespace coupling
