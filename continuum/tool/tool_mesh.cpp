@@ -249,6 +249,16 @@ std::size_t ToolMesh::n_regions() const {
 Eigen::Matrix3Xd const& ToolMesh::nodes() const {
   return model_->nodes;
 }
+std::array<std::uint32_t, 27> ToolMesh::cell_nodes(std::size_t cell) const {
+  std::vector<unsigned> const to_lexicographic = model_->element().get_poly_space_numbering();
+  std::array<std::uint32_t, 27> nodes;
+  for (unsigned i = 0; i < 27; ++i)
+    nodes[to_lexicographic[i]] = model_->cells.at(cell)[i];
+  return nodes;
+}
+std::uint32_t ToolMesh::region(std::size_t cell) const {
+  return model_->regions.at(cell);
+}
 std::uint64_t ToolMesh::hash() const {
   return model_->hash;
 }

@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -56,6 +57,9 @@ public:
   std::size_t n_regions() const; ///< each takes a material: 0 the wall, 1 the ring
 
   Eigen::Matrix3Xd const& nodes() const; ///< positions [m], 3 x n_nodes
+  /// Of a cell: 9 k + 3 j + i stands at (i/2, j/2, k/2) of it.
+  std::array<std::uint32_t, 27> cell_nodes(std::size_t cell) const;
+  std::uint32_t region(std::size_t cell) const;
 
   /// @throws InvalidInput if the tool has no surface of that name
   SurfaceTrace trace(std::string const& surface) const;
