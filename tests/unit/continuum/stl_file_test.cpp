@@ -117,6 +117,25 @@ TEST(StlFile, MeetsFlatSidesExactly) {
   EXPECT_LT((solution.displacement - linear).norm(), 1e-10 * linear.norm());
 }
 
+// A block's edges turn by 90 degrees: beyond that angle its sides are no patches of their own.
+TEST(StlFile, PartsPatchesAtTheFeatureAngle) {
+  support::ScratchFolder const folder;
+  auto const file = folder.path() / "block.stl";
+  ToolMesh const block =
+      ToolMesh::from_hexes(mesh_block({std::vector{0.0, 1.0}, {0.0, 1.0}, {0.0, 1.0}},
+                                      [](Eigen::Vector3d const& grid) { return grid; }));
+  support::put_bytes(file, stl_text(block.boundary().triangulate(1e-3), 1.0));
+  StlOptions options{.cell_size = 1.0, .gap_tolerance = 1e-9};
+  for (int c = 0; c < 3; ++c)
+    for (int const end : {0, 1})
+      options.surfaces.push_back({std::string(end ? "high " : "low ") + "xyz" [c], PlaneShape {
+                                    end *Eigen::Vector3d::Ones(), Eigen::Vector3d::Unit(c)
+                                  }});
+  EXPECT_EQ(ToolMesh::from_stl(file, options).mesh.surfaces().size(), 6u);
+  options.feature_angle = 1.6; // 92 degrees
+  expect_refusal([&] { ToolMesh::from_stl(file, options); }, "lies on no named shape");
+}
+
 TEST(StlFile, GetsFinerWithTheCellSize) {
   support::ScratchFolder const folder;
   auto const file = save_die(folder, 1e-4);
@@ -160,10 +179,6 @@ TEST(Refusal, OfStlFiles) {
   options = good;
   options.feature_angle = 40.0;
   refuse(file, options, "feature angle = 40 rad");
-  options = good;
-  options.feature_angle = 1e-3; // every facet of the bore becomes a patch, none lies on no shape
-  options.surfaces.erase(options.surfaces.begin());
-  refuse(file, options, "the patch at (");
   options = good;
   options.cell_size = 0.0;
   refuse(file, options, "cell size = 0 m");
