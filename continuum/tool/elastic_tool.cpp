@@ -27,6 +27,15 @@ std::vector<bool> held_components(ToolModel const& model, Supports const& suppor
             if (support.fixed[c])
               held[3 * node + c] = true;
   }
+  for (NodeSupport const& support : supports.nodes) {
+    VALIDATE(support.node < model.nodes.cols(),
+             "a support at node " + std::to_string(support.node) + " of a tool of " +
+                 std::to_string(model.nodes.cols()) +
+                 " nodes (there is none). Does it come from another mesh?");
+    for (int c = 0; c < 3; ++c)
+      if (support.fixed[c])
+        held[3 * support.node + c] = true;
+  }
   if (supports.in_plane == Supports::InPlane::pinned)
     for (auto const& [node, component] : model.pins)
       held[3 * node + component] = true;

@@ -20,6 +20,12 @@ struct SurfaceSupport {
   std::array<bool, 3> fixed = {true, true, true};
 };
 
+/// A single node of the mesh, held along the marked directions.
+struct NodeSupport {
+  std::uint32_t node;
+  std::array<bool, 3> fixed = {true, true, true};
+};
+
 /// How a tool is held.
 struct Supports {
   /// `pinned` holds the three rigid motions in the plane by three tangential pins on the rim of the
@@ -30,6 +36,7 @@ struct Supports {
 
   std::vector<SurfaceSupport> surfaces = {};
   InPlane in_plane = InPlane::free;
+  std::vector<NodeSupport> nodes = {}; ///< for lines and points; a load there is a point load
 
   static Supports clamped(std::string surface) { return {.surfaces = {{std::move(surface)}}}; }
   /// Axial rollers on the surface, and pins.

@@ -42,13 +42,13 @@ Eigen::Vector3d area_vector(Eigen::Matrix<double, 3, 9> const& nodes, double xi,
 }
 
 // 3 x 3 Gauss: N (2 in each direction) times the area vector (3) has degree 5, which it integrates.
-template <class Visit> void for_each_gauss_point(Visit visit) {
-  double const off = 0.5 * std::sqrt(0.6);
+template <class Visit> void for_each_gauss_point(Visit visit, int cuts = 1) {
+  double const off = 0.5 * std::sqrt(0.6), h = 1.0 / cuts;
   std::array<double, 3> const x = {0.5 - off, 0.5, 0.5 + off};
   std::array<double, 3> const w = {5.0 / 18.0, 8.0 / 18.0, 5.0 / 18.0};
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      visit(x[i], x[j], w[i] * w[j]);
+  for (int i = 0; i < 3 * cuts; ++i)
+    for (int j = 0; j < 3 * cuts; ++j)
+      visit((i / 3 + x[i % 3]) * h, (j / 3 + x[j % 3]) * h, w[i % 3] * w[j % 3] * h * h);
 }
 
 // The part of the chord's error that is square to the chord: sliding along it changes no shape.
@@ -161,6 +161,24 @@ Eigen::Matrix3Xd SurfaceTrace::pressure_loads(double pressure) const {
           for (int a = 0; a < 9; ++a)
             loads.col(faces[face].nodes[a]) += shape[a] * force;
         });
+  return loads;
+}
+
+Eigen::Matrix3Xd SurfaceTrace::traction_loads(Traction const& traction, int cuts) const {
+  VALIDATE(cuts > 0, "traction on faces cut " + std::to_string(cuts) +
+                         " times (at least one part is integrated). Leave the number out?");
+  Eigen::Matrix3Xd loads = Eigen::Matrix3Xd::Zero(3, positions.cols());
+  for (std::uint32_t face = 0; face < faces.size(); ++face)
+    for_each_gauss_point(
+        [&, face_nodes = nodes_of(*this, face)](double xi, double eta, double weight) {
+          auto const shape = face_shape(xi, eta);
+          Eigen::Vector3d const area = area_vector(face_nodes, xi, eta);
+          Eigen::Vector3d const force =
+              weight * area.norm() * traction(face_nodes * shape, area.normalized());
+          for (int a = 0; a < 9; ++a)
+            loads.col(faces[face].nodes[a]) += shape[a] * force;
+        },
+        cuts);
   return loads;
 }
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -52,6 +53,15 @@ struct SurfaceTrace {
   /// Consistent nodal forces of a uniform pressure [Pa] that pushes into the body:
   ///   f_a = -p integral N_a n dA   [N], 3 x n_nodes. Exact for these faces.
   Eigen::Matrix3Xd pressure_loads(double pressure) const;
+
+  /// Force per area [Pa] from a position [m] and the outward unit normal there.
+  using Traction = std::function<Eigen::Vector3d(Eigen::Vector3d const& position,
+                                                 Eigen::Vector3d const& normal)>;
+  /// Consistent nodal forces of a traction:  f_a = integral N_a t dA   [N], 3 x n_nodes, by the
+  /// 3 x 3 Gauss rule on each of cuts x cuts parts of a face. One part holds a t that is linear on
+  /// a flat face exactly; where t has an edge inside a face, more parts find it.
+  /// @throws InvalidInput if cuts is not positive
+  Eigen::Matrix3Xd traction_loads(Traction const& traction, int cuts = 1) const;
 
   /// Triangles that leave the FE surface by no more than `tolerance` [m], measured between their
   /// vertices; k is the same on all faces, so a closed trace gives a closed triangulation.

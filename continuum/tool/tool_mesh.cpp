@@ -2,6 +2,10 @@
 
 #include "continuum/expect.hpp"
 #include "continuum/hash.hpp"
+#include "continuum/tool/hex_mesh_checks.hpp"
+#include "continuum/tool/msh_file.hpp"
+#include "continuum/tool/quote.hpp"
+#include "continuum/tool/stl_file.hpp"
 #include "continuum/tool/tool_model.hpp"
 
 #include <deal.II/base/quadrature_lib.h>
@@ -9,8 +13,7 @@
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q.h>
-#include <deal.II/grid/manifold_lib.h>
+#include <deal.II/fe/mapping_q_cache.h>
 #include <deal.II/grid/tria.h>
 
 #include <algorithm>
@@ -34,28 +37,33 @@ void triangulate(HexMesh const& mesh, dealii::Triangulation<3>& triangulation) {
     boundary.boundary_quads.back().boundary_id = quad.surface;
   }
   triangulation.create_triangulation(vertices, cells, boundary);
-
-  dealii::types::manifold_id const round = 1;
-  if (mesh.rounding == Rounding::everywhere)
-    triangulation.set_all_manifold_ids(round);
-  else
-    // Face by face: the library's own setter for a boundary leaves the lines of its rim straight.
-    for (auto const& face : triangulation.active_face_iterators())
-      if (face->at_boundary() && face->boundary_id() == mesh.round_surface)
-        face->set_all_manifold_ids(round);
-  triangulation.set_manifold(round, dealii::CylindricalManifold<3>(2));
 }
 
-void refuse_inverted_cells(ToolModel const& model) {
+// The library asks for the nodes of a cell in the element's own order: corners, edges, faces, cell.
+void place_nodes(HexMesh const& mesh, dealii::Triangulation<3> const& triangulation,
+                 dealii::FE_Q<3> const& element, dealii::MappingQCache<3>& mapping) {
+  std::vector<unsigned> const to_lexicographic = element.get_poly_space_numbering();
+  mapping.initialize(triangulation, [&](dealii::Triangulation<3>::cell_iterator const& cell) {
+    std::vector<dealii::Point<3>> points;
+    for (unsigned const i : to_lexicographic) {
+      Eigen::Vector3d const& x = mesh.nodes[cell->index()][i];
+      points.emplace_back(x.x(), x.y(), x.z());
+    }
+    return points;
+  });
+}
+
+void refuse_inverted_cells(ToolModel const& model, std::string const& where) {
   dealii::QGauss<3> const points(3);
   dealii::FEValues<3> values(model.mapping(), model.element(), points, dealii::update_jacobians);
   for (auto const& cell : model.nodes_of_cells().active_cell_iterators()) {
     values.reinit(cell);
     for (unsigned const q : values.quadrature_point_indices())
       VALIDATE(values.jacobian(q).determinant() > 0.0,
-               "cell " + std::to_string(cell->active_cell_index()) +
-                   " of the tool's mesh is inverted (its volume is not positive). Use more cells "
-                   "around, or less growth?");
+               where + ": cell " + std::to_string(cell->active_cell_index()) + " at (" +
+                   quote(cell->center()[0]) + ", " + quote(cell->center()[1]) + ", " +
+                   quote(cell->center()[2]) +
+                   ") m is inverted (its volume is not positive). Use more cells, or less growth?");
   }
 }
 
@@ -100,6 +108,21 @@ void collect_cells(HexMesh const& mesh, ToolModel& model) {
     model.pins.emplace_back(node_of_vertex[pin.vertex], pin.component);
 }
 
+// Cells that share a node must have it at the same place.
+void refuse_gaps(ToolModel const& model, HexMesh const& mesh, std::string const& where) {
+  std::vector<unsigned> const to_lexicographic = model.element().get_poly_space_numbering();
+  double const size = (model.nodes.rowwise().maxCoeff() - model.nodes.rowwise().minCoeff()).norm();
+  for (std::size_t c = 0; c < model.cells.size(); ++c)
+    for (unsigned i = 0; i < 27; ++i) {
+      Eigen::Vector3d const here = mesh.nodes[c][to_lexicographic[i]],
+                            there = model.nodes.col(model.cells[c][i]);
+      VALIDATE((here - there).norm() <= 1e-9 * size,
+               where + ": cell " + std::to_string(c) + " has a node at " + quote_position(here) +
+                   " where its neighbour has " + quote_position(there) +
+                   " (a gap would open between them). Are nodes of the common face mixed up?");
+    }
+}
+
 std::uint64_t hash_of(ToolModel const& model) {
   Fnv fnv;
   fnv.add_bytes(std::as_bytes(std::span(model.nodes.data(), model.nodes.size())));
@@ -140,19 +163,20 @@ SurfaceTrace trace_of(ToolModel const& model, std::vector<std::uint32_t> const& 
 struct ToolModel::Discretisation {
   explicit Discretisation(HexMesh const& mesh) {
     triangulate(mesh, triangulation);
+    place_nodes(mesh, triangulation, element, mapping);
     nodes_of_cells.reinit(triangulation);
     nodes_of_cells.distribute_dofs(element);
   }
 
   dealii::Triangulation<3> triangulation;
-  dealii::MappingQ<3> mapping{2};
   dealii::FE_Q<3> element{2};
+  dealii::MappingQCache<3> mapping{2};
   dealii::DoFHandler<3> nodes_of_cells;
 };
 
-ToolModel::ToolModel(HexMesh const& mesh)
+ToolModel::ToolModel(HexMesh const& mesh, std::string const& where)
     : surfaces(mesh.surfaces), discretisation_(std::make_unique<Discretisation const>(mesh)) {
-  refuse_inverted_cells(*this);
+  refuse_inverted_cells(*this, where);
   std::vector<dealii::Point<3>> points(nodes_of_cells().n_dofs());
   dealii::DoFTools::map_dofs_to_support_points(mapping(), nodes_of_cells(), points);
   nodes.resize(3, points.size());
@@ -196,6 +220,19 @@ ToolMesh ToolMesh::die(DieShape const& shape, DieCells const& cells) {
 ToolMesh ToolMesh::punch(PunchShape const& shape, PunchCells const& cells) {
   return ToolMesh(std::make_shared<ToolModel const>(mesh_punch(shape, cells)));
 }
+ToolMesh ToolMesh::from_hexes(HexMesh const& mesh, std::string const& where) {
+  validate(mesh, where);
+  auto const model = std::make_shared<ToolModel const>(mesh, where);
+  refuse_gaps(*model, mesh, where);
+  return ToolMesh(model);
+}
+ToolMesh ToolMesh::from_msh(std::filesystem::path const& file, MshOptions const& options) {
+  return from_hexes(read_msh(file, options), file.string());
+}
+StlTool ToolMesh::from_stl(std::filesystem::path const& file, StlOptions const& options) {
+  StlBody const body = mesh_stl(file, options);
+  return {from_hexes(body.mesh, file.string()), body.largest_gap};
+}
 
 std::vector<std::string> const& ToolMesh::surfaces() const {
   return model_->surfaces;
@@ -211,6 +248,16 @@ std::size_t ToolMesh::n_regions() const {
 }
 Eigen::Matrix3Xd const& ToolMesh::nodes() const {
   return model_->nodes;
+}
+std::array<std::uint32_t, 27> ToolMesh::cell_nodes(std::size_t cell) const {
+  std::vector<unsigned> const to_lexicographic = model_->element().get_poly_space_numbering();
+  std::array<std::uint32_t, 27> nodes;
+  for (unsigned i = 0; i < 27; ++i)
+    nodes[to_lexicographic[i]] = model_->cells.at(cell)[i];
+  return nodes;
+}
+std::uint32_t ToolMesh::region(std::size_t cell) const {
+  return model_->regions.at(cell);
 }
 std::uint64_t ToolMesh::hash() const {
   return model_->hash;

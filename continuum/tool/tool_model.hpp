@@ -27,7 +27,8 @@ struct BoundaryFace {
 /// unknown 3 a + c. Element and mapping have the same degree: with straight cells a second-order
 /// element falls back to second order in u and is fifty times worse on a die.
 struct ToolModel {
-  explicit ToolModel(HexMesh const& mesh);
+  /// @param where  what messages call the mesh
+  explicit ToolModel(HexMesh const& mesh, std::string const& where = "tool mesh");
   ~ToolModel();
 
   dealii::Triangulation<3, 3> const& triangulation() const;

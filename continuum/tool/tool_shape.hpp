@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <variant>
 
 namespace continuum {
 
@@ -24,24 +25,48 @@ struct DieCells {
 
 enum class PunchPlace { lower, upper };
 
-/// A flat punch about the z axis, face at z = 0; the body of a lower punch is below, of an upper
-/// one above.
+struct FlatFace {};
+
+/// A flat land in the middle, at z = 0, and a cone from it to the rim.
+struct BevelledFace {
+  double width; ///< of the bevel, along the radius [m], in (0, radius)
+  double depth; ///< [m]: the rim stands back from the powder by it, > 0, or into the powder, < 0,
+                ///< which gives the compact a chamfer; the magnitude is below the punch's length
+};
+
+/// A spherical cup inside a flat land at the rim, which is at z = 0. Depth is measured from the
+/// land to the deepest point, as tabletting does.
+struct ConcaveFace {
+  double depth;      ///< [m], in (0, opening radius), and below the punch's length
+  double land = 0.0; ///< width of the land [m], in [0, radius); the opening radius is what is left
+
+  /// Radius of the sphere [m]:  (c^2 + depth^2) / (2 depth),  c = punch_radius - land.
+  double sphere_radius(double punch_radius) const {
+    double const opening = punch_radius - land;
+    return (opening * opening + depth * depth) / (2.0 * depth);
+  }
+};
+
+/// A punch about the z axis, face at z = 0 as far as it is flat; the body of a lower punch is
+/// below, of an upper one above.
 struct PunchShape {
   double radius; ///< [m], > 0
-  double length; ///< [m], > 0
+  double length; ///< from z = 0 to the back [m], > 0
   PunchPlace place = PunchPlace::lower;
+  std::variant<FlatFace, BevelledFace, ConcaveFace> face = FlatFace{};
 };
 
 /// Cells of a punch: a rounded square of around/4 by around/4 cells inside rings.
 struct PunchCells {
   int around = 32;     ///< on the rim; a multiple of 8
-  int rings = 3;       ///< between the square and the rim
+  int rings = 3;       ///< between the square and the rim, or the inner edge of bevel or land
   int along = 8;       ///< over the length
   double growth = 3.0; ///< height of the cell at the back over that at the face
+  int rim = 2;         ///< rings of the bevel or the land, if there is one
 };
 
 /// Counts for cells about `size` [m] wide at the bore, or on the face, and the default growth away
-/// from them. A circle gets at least 16 cells, each direction at least 2.
+/// from them. A circle gets at least 16 cells, each direction at least 2, bevel and land one.
 /// @throws InvalidInput if size is not positive
 DieCells cells_of_size(DieShape const& shape, double size);
 PunchCells cells_of_size(PunchShape const& shape, double size);

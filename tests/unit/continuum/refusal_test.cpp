@@ -1,30 +1,15 @@
 // Each bad input has its message: what, the value, why, and a way out.
-#include "continuum/errors.hpp"
 #include "continuum/session.hpp"
 #include "continuum/tool/interface_compliance.hpp"
+#include "tests/unit/continuum/refusal.hpp"
 #include "tests/unit/continuum/tools.hpp"
 
-#include <gtest/gtest.h>
-
-#include <functional>
 #include <limits>
 
 namespace {
 
 using namespace continuum;
 using tools::steel;
-
-void expect_refusal(std::function<void()> const& act, std::string const& part) {
-  try {
-    act();
-    ADD_FAILURE() << "accepted; expected: " << part;
-  } catch (InvalidInput const& error) {
-    std::string const text = error.what();
-    EXPECT_NE(text.find(part), std::string::npos) << text;
-    EXPECT_NE(text.find('('), std::string::npos) << text;
-    EXPECT_EQ(text.back(), '?') << text;
-  }
-}
 
 void expect_refused_die(DieShape const& shape, DieCells const& cells, std::string const& part) {
   expect_refusal([&] { ToolMesh::die(shape, cells); }, part);
@@ -58,6 +43,30 @@ TEST(Refusal, OfPunches) {
                  "Take 16?");
   expect_refusal([] { cells_of_size(PunchShape{.radius = 1.0, .length = 1.0}, 0.0); },
                  "element size = 0 m");
+}
+
+TEST(Refusal, OfPunchFaces) {
+  auto const refuse = [](decltype(PunchShape::face) const& face, std::string const& part,
+                         int rim = 2) {
+    expect_refusal(
+        [&] { ToolMesh::punch({.radius = 11e-3, .length = 5e-3, .face = face}, {.rim = rim}); },
+        part);
+  };
+  refuse(BevelledFace{.width = 0.0, .depth = 1e-3}, "bevel width = 0 m");
+  refuse(BevelledFace{.width = 11e-3, .depth = 1e-3},
+         "bevel width = 0.011 m is not between 0 and the radius = 0.011 m");
+  refuse(BevelledFace{.width = 1e-3, .depth = 0.0}, "bevel depth = 0 m");
+  refuse(BevelledFace{.width = 1e-3, .depth = 5e-3}, "bevel depth = 0.005 m");
+  refuse(BevelledFace{.width = 1e-3, .depth = -5e-3}, "bevel depth = -0.005 m");
+  refuse(BevelledFace{.width = 1e-3, .depth = std::numeric_limits<double>::quiet_NaN()},
+         "bevel depth = nan m");
+  refuse(ConcaveFace{.depth = 0.0}, "cup depth = 0 m");
+  refuse(ConcaveFace{.depth = 10e-3, .land = 1e-3},
+         "cup depth = 0.01 m is not between 0 and the opening radius = 0.01 m");
+  refuse(ConcaveFace{.depth = 6e-3}, "cup depth = 0.006 m reaches the back at 0.005 m");
+  refuse(ConcaveFace{.depth = 1e-3, .land = 11e-3}, "land = 0.011 m");
+  refuse(ConcaveFace{.depth = 1e-3, .land = -1e-3}, "land = -0.001 m");
+  refuse(ConcaveFace{.depth = 1e-3, .land = 1e-3}, "cells in rings of the rim = 0", 0);
 }
 
 TEST(Refusal, OfMaterials) {

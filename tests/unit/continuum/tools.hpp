@@ -1,6 +1,7 @@
 #pragma once
 
 #include "continuum/tool/elastic_tool.hpp"
+#include "continuum/verification/lame_tube.hpp"
 
 #include <Eigen/Core>
 
@@ -32,36 +33,7 @@ inline double radial(Eigen::Vector3d const& x, Eigen::Vector3d const& u) {
   return x.head<2>().dot(u.head<2>()) / x.head<2>().norm();
 }
 
-/// Lame's tube in plane strain under inner and outer pressure.
-struct Tube {
-  double inner, outer;                   ///< [m]
-  double inner_pressure, outer_pressure; ///< [Pa]
-  continuum::ElasticMaterial material;
-
-  /// (1 + nu)/E [ (1 - 2 nu) A r + B / r ],  sigma_r,t = A -+ B / r^2,
-  /// A = (p_i r_i^2 - p_o r_o^2) / (r_o^2 - r_i^2),  B = (p_i - p_o) r_i^2 r_o^2 / (r_o^2 - r_i^2)
-  double displacement(double r) const {
-    double const nu = material.poisson_ratio;
-    return (1.0 + nu) / material.young_modulus * ((1.0 - 2.0 * nu) * mean() * r + shear() / r);
-  }
-  Eigen::Matrix3d stress(Eigen::Vector3d const& x) const {
-    double const r = x.head<2>().norm();
-    Eigen::Vector3d const er(x.x() / r, x.y() / r, 0.0), et(-er.y(), er.x(), 0.0);
-    Eigen::Vector3d const ez = Eigen::Vector3d::UnitZ();
-    return (mean() - shear() / (r * r)) * er * er.transpose() +
-           (mean() + shear() / (r * r)) * et * et.transpose() +
-           2.0 * material.poisson_ratio * mean() * ez * ez.transpose();
-  }
-
-private:
-  double ring() const { return outer * outer - inner * inner; }
-  double mean() const {
-    return (inner_pressure * inner * inner - outer_pressure * outer * outer) / ring();
-  }
-  double shear() const {
-    return (inner_pressure - outer_pressure) * inner * inner * outer * outer / ring();
-  }
-};
+using Tube = continuum::verification::LameTube;
 
 /// u_z = 0 on both ends.
 inline continuum::Supports plane_strain() {
