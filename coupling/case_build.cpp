@@ -71,7 +71,10 @@ ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode) {
     return value > 0.0 ? std::optional(value) : std::nullopt;
   };
   auto const support = [&](std::string const& name) {
-    return read.choice(at + name) == "clamped" ? ToolSupport::clamped : ToolSupport::rollers;
+    std::string const chosen = read.choice(at + name);
+    if (chosen == "guided")
+      return ToolSupport::guided;
+    return chosen == "clamped" ? ToolSupport::clamped : ToolSupport::rollers;
   };
   return {.material = {.young_modulus = read.number(at + "Young's modulus"),
                        .poisson_ratio = read.number(at + "Poisson's ratio"),

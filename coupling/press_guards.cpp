@@ -52,7 +52,7 @@ void guard(Press const& press, Reading const& now) {
                      "time step, or stiffer "
                      "grains?",
                      now.grains_outside));
-  double const scale = energy_scale(press);
+  double const scale = std::max(energy_scale(press), std::abs(now.tool_work + now.gravity_work));
   if (std::abs(now.energy_error) > limits.max_energy_error * scale)
     stop(press.world, stage,
          fmt::format("{:.3g} J are not accounted for ({:.3g} of {:.3g} J, limit {:.3g}; an "

@@ -58,8 +58,9 @@ void append_coupling_checks(Press const& press, std::vector<Check>& checks) {
     checks.push_back(
         upper_bound("coupling number of the explicit mode", kept.coupling_number, explicit_limit));
   if (mode == CouplingMode::two_way_implicit)
-    checks.push_back(upper_bound("loads of a window, change in its last iteration", kept.residual,
-                                 coupling.choice().tolerance));
+    checks.push_back(upper_bound("iterations of a window, most",
+                                 static_cast<double>(kept.most_iterations),
+                                 static_cast<double>(coupling.choice().most_iterations)));
 }
 
 std::vector<Check> checks_of(Press const& press) {

@@ -8,7 +8,9 @@ namespace coupling {
 
 enum class CouplingMode { rigid, one_way, two_way_explicit, two_way_secant, two_way_implicit };
 enum class Accelerator { aitken, iqn_ils };
-enum class ToolSupport { rollers, clamped };
+/// clamped: a surface held. rollers: held along the axis, and by three pins. guided (punches):
+/// clamped at the back, and its side does not leave the axis: the die's bore leads it.
+enum class ToolSupport { rollers, clamped, guided };
 
 /// How grains and deformable tools are coupled. See ToolCoupling.
 struct CouplingChoice {
@@ -24,7 +26,7 @@ struct CouplingChoice {
 struct ElasticTools {
   continuum::ElasticMaterial material{.young_modulus = 210e9, .poisson_ratio = 0.3};
   double cell_size = 3.5e-3; ///< [m], of the meshes where grains press
-  ToolSupport die_support = ToolSupport::rollers, punch_support = ToolSupport::clamped;
+  ToolSupport die_support = ToolSupport::clamped, punch_support = ToolSupport::clamped;
   CouplingChoice coupling;
 };
 

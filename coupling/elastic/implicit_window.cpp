@@ -81,24 +81,23 @@ void find_course(Press& press) {
   Eigen::VectorXd to = tools.predicted();
   FixedPointAccelerator accelerator(choice.accelerator, tools.first_relaxation());
   std::uint64_t n = 1;
-  double residual = 0.0;
+  double const radius = *std::ranges::min_element(press.world.grains.radius);
   for (;; ++n) {
     Trial const trial = try_window(press, to, length);
     length = trial.length;
     Eigen::VectorXd const wanted = tools.wanted(trial.loads);
-    double const scale = std::max(wanted.norm(), tools.load_scale());
-    residual = scale > 0.0 ? (wanted - to).norm() / scale : 0.0;
-    if (residual <= choice.tolerance)
+    if (tools.is_converged(to, wanted, radius))
       break;
     if (n == choice.most_iterations)
       throw dem::PhysicsGuard(fmt::format(
           "t = {:.6g} s, step {}: the window did not converge in {} iterations (loads change by "
           "{:.3g} of themselves, tolerance {:.3g}). A shorter 'Window', or more iterations?",
-          press.world.time, press.world.step, n, residual, choice.tolerance));
+          press.world.time, press.world.step, n, (wanted - to).norm() / wanted.norm(),
+          choice.tolerance));
     to = accelerator.next(to, wanted);
   }
   tools.choose(press.world, to, length);
-  tools.count_iterations(n, residual);
+  tools.count_iterations(n);
 }
 
 } // namespace coupling

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coupling {
 namespace {
@@ -17,7 +18,13 @@ constexpr double theta = 0.6;
 
 // Below this share of the largest force so far a coupling number says nothing.
 constexpr double under_load = 0.02;
+
+// A force that changes by less between windows (a hold) says nothing about the bed's stiffness.
+constexpr double least_change = 1e-3;
 constexpr std::uint64_t windows_to_refuse = 5;
+
+// In a window a load is not expected to grow by more.
+constexpr double most_growth = 2.0;
 
 double dot(Eigen::Matrix3Xd const& a, Eigen::Matrix3Xd const& b) {
   return (a.array() * b.array()).sum();
@@ -64,9 +71,15 @@ double ToolCoupling::compliance(std::size_t t) const {
   return tools_[t]->retreat_under(uniform) / tools_[t]->pressing_force(uniform);
 }
 
+double ToolCoupling::coupling_number() const {
+  return bed_stiffness_ * (compliance(upper) + compliance(lower));
+}
+
 void ToolCoupling::step_done(dem::World& world, double gap, double dt) {
   if (is_rigid())
     return;
+  if (bed_mass_ == 0.0)
+    bed_mass_ = std::accumulate(world.grains.mass.begin(), world.grains.mass.end(), 0.0);
   time_ += dt;
   gap_integral_ += dt * gap;
   if (++steps_ == choice_.window)
@@ -86,26 +99,38 @@ void ToolCoupling::take_loads(dem::World& world) {
   }
 }
 
-/// The bed's stiffness from this window and the last:  k_b = -dF / d gap.
+/// The bed's stiffness from this window and the last:  k_b = -dF / dg, g the gap where the loads
+/// act: of the rigid motion, and f.u / F of each punch.
 void ToolCoupling::watch_bed() {
   last_force_ = force_;
   last_gap_ = gap_;
-  force_ = 0.5 * (tools_[upper]->pressing_force(loads_[upper]) +
-                  tools_[lower]->pressing_force(loads_[lower]));
-  bed_height_ = gap_integral_ / time_;
-  gap_ = bed_height_;
-  if (walls_move())
-    for (std::size_t const t : {upper, lower})
-      gap_ += 0.5 * (tools_[t]->retreat(courses_[t].from) + tools_[t]->retreat(courses_[t].to));
+  force_ = 0.0;
+  gap_ = bed_height_ = gap_integral_ / time_;
+  for (std::size_t const t : {upper, lower}) {
+    double const force = tools_[t]->pressing_force(loads_[t]);
+    force_ += 0.5 * force;
+    if (walls_move() && force > 0.0)
+      gap_ += 0.5 * dot(loads_[t], courses_[t].from + courses_[t].to) / force;
+  }
   double const stiffness = (force_ - last_force_) / (last_gap_ - gap_);
-  bool const is_pressed = checks_.windows > 0 && force_ > 0.0 && last_force_ > 0.0;
+  bool const is_pressed = checks_.windows > 0 && force_ > 0.0 && last_force_ > 0.0 &&
+                          std::abs(force_ - last_force_) > least_change * force_;
   if (is_pressed && std::isfinite(stiffness) && stiffness > 0.0)
     bed_stiffness_ = bed_stiffness_ > 0.0 ? std::sqrt(bed_stiffness_ * stiffness) : stiffness;
 }
 
+/// Coupling number of both punches. A window shorter than a wave takes through the bed,
+/// T < sqrt(m / k_b), meets only the part of it that the wave has reached, which is stiffer by
+/// their ratio.
+double ToolCoupling::punch_number() const {
+  double const wave = planned_ * std::sqrt(bed_stiffness_ / bed_mass_);
+  double const near = wave > 0.0 ? std::max(1.0, 1.0 / wave) : 1.0;
+  return near * coupling_number();
+}
+
 /// A bed of the oedometric modulus M = k_b h / A answers a growth of its radius by M / R of radial
 /// pressure: rho = 2 pi h M C = 2 pi h^2 k_b C / A.
-double ToolCoupling::die_share() const {
+double ToolCoupling::die_number() const {
   double const area = tools_[upper]->area;
   return 2.0 * dem::pi * bed_height_ * bed_height_ * bed_stiffness_ / area * compliance(die);
 }
@@ -157,34 +182,23 @@ void ToolCoupling::refuse_divergence(dem::World const& world) const {
                   world.time, world.step, checks_.coupling_number));
 }
 
-/// What the secant mode chooses from the loads of this window and the last.
+/// What the secant mode chooses from the loads of this window and the last. Only their size is
+/// extrapolated and meets the bed: single grains come and go, and against one of them a tool is
+/// stiff.
 std::vector<ToolCoupling::Nodal> ToolCoupling::secant_loads() const {
-  std::vector<Nodal> ahead(tools_.size()), wanted(tools_.size());
-  double asked = 0.0, numbers = 0.0; // sums over both punches: e_i [m], rho_i [1]
+  std::vector<Nodal> wanted = loads_;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
+    YieldingTool const& tool = *tools_[t];
     Course const& c = courses_[t];
-    // From the middle of this window to the end of the next one, if anything presses by then.
-    ahead[t] = loads_[t];
-    if (checks_.windows > 0)
-      ahead[t] += 1.5 * (loads_[t] - c.last_load);
-    if (tools_[t]->pressing_force(ahead[t]) <= 0.0)
-      ahead[t].setZero();
-    if (t == die)
+    double const force = tool.pressing_force(loads_[t]);
+    if (force <= 0.0 || checks_.windows == 0)
       continue;
-    // What was extrapolated is the force on a tool that goes on as it does.
-    asked += tools_[t]->retreat_under(ahead[t] - c.load_from - c.load_step);
-    numbers += bed_stiffness_ * compliance(t);
-  }
-  double const meet = asked / (1.0 + numbers); // S
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    if (t == die) {
-      Nodal const goes_on = courses_[t].load_from + courses_[t].load_step;
-      wanted[t] = goes_on + (ahead[t] - goes_on) / (1.0 + die_share());
-      continue;
-    }
-    double const force = tools_[t]->pressing_force(ahead[t]);
-    double const left = force > 0.0 ? std::max(force - bed_stiffness_ * meet, 0.0) / force : 0.0;
-    wanted[t] = left * ahead[t];
+    // From the middle of this window to the end of the next one, on a tool that goes on as it does.
+    double const grows = 1.5 * (force - tool.pressing_force(c.last_load));
+    double const ahead = std::clamp(force + grows, 0.0, most_growth * force);
+    double const goes_on = tool.pressing_force(c.load_from + c.load_step);
+    double const number = t == die ? die_number() : punch_number();
+    wanted[t] *= std::max(goes_on + (ahead - goes_on) / (1.0 + number), 0.0) / force;
   }
   return wanted;
 }
@@ -218,7 +232,7 @@ void ToolCoupling::end_window(dem::World& world) {
   watch_bed();
   keep_peak();
   settle(world);
-  double const number = bed_stiffness_ * (compliance(upper) + compliance(lower));
+  double const number = coupling_number();
   if (force_ > under_load * peak_force_ && force_ > 0.0) {
     checks_.coupling_number = std::max(checks_.coupling_number, number);
     windows_beyond_ = number > 1.0 ? windows_beyond_ + 1 : 0;
@@ -283,14 +297,18 @@ Eigen::VectorXd ToolCoupling::wanted(Eigen::VectorXd const& loads) const {
 }
 
 double ToolCoupling::first_relaxation() const {
-  return 1.0 / (1.0 + bed_stiffness_ * (compliance(upper) + compliance(lower)));
+  return 1.0 / (1.0 + punch_number());
 }
 
-double ToolCoupling::load_scale() const {
-  std::vector<Nodal> peaks;
-  for (Course const& c : courses_)
-    peaks.push_back(c.peak_load);
-  return 1e-3 * joined(peaks).norm();
+bool ToolCoupling::is_converged(Eigen::VectorXd const& to, Eigen::VectorXd const& wanted,
+                                double length) const {
+  if ((wanted - to).norm() <= choice_.tolerance * wanted.norm())
+    return true;
+  auto const misses = parted(wanted - to);
+  double farthest = 0.0;
+  for (std::size_t t = 0; t < tools_.size(); ++t)
+    farthest = std::max(farthest, tools_[t]->displacement(misses[t]).colwise().norm().maxCoeff());
+  return farthest <= 0.01 * choice_.tolerance * length;
 }
 
 void ToolCoupling::choose(dem::World& world, Eigen::VectorXd const& to, double length) {
@@ -300,9 +318,9 @@ void ToolCoupling::choose(dem::World& world, Eigen::VectorXd const& to, double l
   world.contacts.follow_tools(world);
 }
 
-void ToolCoupling::count_iterations(std::uint64_t n, double residual) {
+void ToolCoupling::count_iterations(std::uint64_t n) {
   checks_.iterations += n;
-  checks_.residual = std::max(checks_.residual, residual);
+  checks_.most_iterations = std::max(checks_.most_iterations, n);
 }
 
 } // namespace coupling

@@ -19,8 +19,8 @@ struct CouplingChecks {
   double released = 0.0;        ///< [J], of it that went with removed tools
   double work_error = 0.0;      ///< [J], largest |work - released - stored|
   double coupling_number = 0.0; ///< [1], k_b C, largest under load
-  double residual = 0.0;        ///< [1], implicit: largest left in a window
-  std::uint64_t windows = 0, iterations = 0; ///< iterations of the implicit mode, all windows
+  std::uint64_t windows = 0;
+  std::uint64_t iterations = 0, most_iterations = 0; ///< implicit: of all windows, of one window
 };
 
 /// How the tools of a press deform under its grains.
@@ -31,11 +31,10 @@ struct CouplingChecks {
 /// condensed compliance C, so its energy is g.u / 2 at any time. The modes choose the next g:
 ///   one_way            walls stay rigid; g = f is what they would have to bear
 ///   two_way_explicit   g = f. Diverges once the coupling number k_b C reaches 1, and stops then
-///   two_way_secant     f and the present course go on as they do; against the bed of stiffness
-///                      k_b, which the last windows showed, they meet at
-///                      g_i = f_i - (f_i / F_i) k_b S for punches, S = sum e_i / (1 + sum rho_i),
-///                      e_i the retreat that f_i asks for beyond the present course, and at
-///                      1 / (1 + rho) of the way for the die
+///   two_way_secant     f, scaled: its force F goes on as it does, and so does that of g, G; they
+///                      meet against the bed, whose stiffness k_b the last windows showed, at
+///                      G + w (F - G), w = 1 / (1 + k_b sum C) for the punches, and likewise for
+///                      the die
 ///   two_way_implicit   the window is tried until its own loads hold its deformation:
 ///                      theta g + (1 - theta) g_before = f(g). See implicit_window.hpp
 class ToolCoupling {
@@ -71,16 +70,18 @@ public:
   Eigen::VectorXd mean_loads(dem::World& world, double time) const;
   Eigen::VectorXd wanted(Eigen::VectorXd const& loads) const; ///< g that these loads hold
   double first_relaxation() const;                            ///< 1 / (1 + k_b C)
-  double
-  load_scale() const; ///< [N], below a thousandth of the peak loads nothing needs to converge
+  /// Whether loads are met to the tolerance, or no node would move by more than a hundredth of the
+  /// tolerance times `length` [m].
+  bool is_converged(Eigen::VectorXd const& to, Eigen::VectorXd const& wanted, double length) const;
   /// Sets the course of the window to these loads at its end.
   void choose(dem::World& world, Eigen::VectorXd const& to, double length);
-  void count_iterations(std::uint64_t n, double residual);
+  void count_iterations(std::uint64_t n);
 
   /// As it is now: mean retreat of a tool's surface [m], energy stored in all tools [J].
   double retreat(std::size_t t, dem::World const& world) const;
   double energy(dem::World const& world) const;
-  double bed_stiffness() const { return bed_stiffness_; } ///< [N/m], as the last windows showed it
+  /// k_b C of the punches [1], with the bed's stiffness as the last windows showed it.
+  double coupling_number() const;
 
   /// Nodal loads of a tool [N] in the window whose punch force was largest.
   Eigen::Matrix3Xd const& peak_load(std::size_t t) const { return courses_[t].peak_load; }
@@ -107,7 +108,8 @@ private:
   Eigen::VectorXd joined(std::vector<Nodal> const& parts) const;
   std::vector<Nodal> parted(Eigen::VectorXd const& all) const;
   std::vector<Nodal> secant_loads() const;
-  double die_share() const;
+  double punch_number() const;
+  double die_number() const;
   double compliance(std::size_t t) const;
   void refuse_divergence(dem::World const& world) const;
 
@@ -126,6 +128,7 @@ private:
   double peak_force_ = 0.0;                // [N]
   double bed_stiffness_ = 0.0;             // [N/m]
   double bed_height_ = 0.0;                // [m]
+  double bed_mass_ = 0.0;                  // [kg]
   std::uint64_t windows_beyond_ = 0;       // in a row whose coupling number exceeds 1
 };
 

@@ -37,7 +37,7 @@ template <class Field> void ToolCoupling::visit_state(Field&& field) {
   field(at + "released", checks_.released);
   field(at + "work_error", checks_.work_error);
   field(at + "coupling_number", checks_.coupling_number);
-  field(at + "residual", checks_.residual);
+  field(at + "most_iterations", checks_.most_iterations);
   field(at + "windows", checks_.windows);
   field(at + "iterations", checks_.iterations);
   field(at + "wants_course", wants_course_);
@@ -52,6 +52,7 @@ template <class Field> void ToolCoupling::visit_state(Field&& field) {
   field(at + "peak_force", peak_force_);
   field(at + "bed_stiffness", bed_stiffness_);
   field(at + "bed_height", bed_height_);
+  field(at + "bed_mass", bed_mass_);
   field(at + "windows_beyond", windows_beyond_);
 }
 

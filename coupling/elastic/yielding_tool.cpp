@@ -84,8 +84,12 @@ ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
 }
 
 continuum::Supports supports_of(std::string const& surface, ToolSupport support) {
-  return support == ToolSupport::clamped ? continuum::Supports::clamped(surface)
-                                         : continuum::Supports::rollers(surface);
+  if (support == ToolSupport::rollers)
+    return continuum::Supports::rollers(surface);
+  auto supports = continuum::Supports::clamped(surface);
+  if (support == ToolSupport::guided)
+    supports.surfaces.push_back({"side", {true, true, false}});
+  return supports;
 }
 
 } // namespace
