@@ -1,7 +1,7 @@
 #include "coupling/elastic/yielding_tool.hpp"
 
 #include "continuum/errors.hpp"
-#include "continuum/session.hpp"
+#include "coupling/elastic/session.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -122,9 +122,7 @@ double YieldingTool::pressing_force(Eigen::Matrix3Xd const& forces) const {
 }
 
 std::vector<ElasticPair> make_yielding_tools(Case const& setup) {
-  // Only presses with deformable tools pay for MPI and PETSc; they stay until the program ends.
-  if (!continuum::Session::is_active())
-    static continuum::Session const session;
+  ensure_session();
   Tooling const& t = setup.tooling;
   ElasticTools const& elastic = setup.elastic;
   double const radius = 0.5 * t.bore_diameter;

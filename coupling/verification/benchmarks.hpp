@@ -21,7 +21,14 @@ std::vector<Experiment> adhesion_experiments();
 std::vector<Experiment> friction_experiments();
 std::vector<Experiment> integrator_experiments();
 std::vector<Experiment> particle_impact_experiments();
+std::vector<Experiment>
+elasticity_experiments(); ///< finite elements: MPI and PETSc start with the first run
 
 std::vector<Experiment> all_experiments();
+
+/// Those that can have rows for a filter: with the filter in their name; or, since it may name a
+/// row inside, of the theme that it starts with; where it starts with an experiment's whole name,
+/// that one alone. The others do not run.
+std::vector<Experiment> experiments_for(std::string_view filter);
 
 } // namespace coupling::verification
