@@ -26,9 +26,8 @@ elasticity_experiments(); ///< finite elements: MPI and PETSc start with the fir
 
 std::vector<Experiment> all_experiments();
 
-/// Those that can have rows for a filter: with the filter in their name; or, since it may name a
-/// row inside, of the theme that it starts with; where it starts with an experiment's whole name,
-/// that one alone. The others do not run.
+/// Those that can have rows for a filter: with the filter in their name, or whose name it starts
+/// with; if there are none, those of the theme that it starts with. The others do not run.
 std::vector<Experiment> experiments_for(std::string_view filter);
 
 } // namespace coupling::verification

@@ -49,11 +49,13 @@ Benchmark compare(std::string name, double reference, double result, double tole
 
 std::vector<Experiment> experiments_for(std::string_view filter) {
   auto experiments = all_experiments();
-  auto const owns_row = [&](Experiment const& one) { return filter.starts_with(one.name + "/"); };
-  bool const has_owner = std::ranges::any_of(experiments, owns_row);
+  auto const is_named = [&](Experiment const& one) {
+    return matches(one.name, filter) || filter.starts_with(one.name + "/");
+  };
+  bool const names_one = std::ranges::any_of(experiments, is_named);
   std::erase_if(experiments, [&](Experiment const& one) {
     bool const is_theme = filter.starts_with(one.name.substr(0, one.name.find('/')));
-    return !matches(one.name, filter) && !(has_owner ? owns_row(one) : is_theme);
+    return !is_named(one) && (names_one || !is_theme);
   });
   return experiments;
 }

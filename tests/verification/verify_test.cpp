@@ -36,6 +36,12 @@ TEST_P(Verification, HoldsItsTolerances) {
       EXPECT_TRUE(row.name.starts_with(experiment.name.substr(0, experiment.name.find('/'))))
           << row.name;
       EXPECT_FALSE(row.source.empty()) << row.name;
+      // However much of the row's name a filter holds, its experiment runs.
+      for (std::size_t length = 0; length <= row.name.size(); ++length) {
+        auto const chosen = experiments_for(row.name.substr(0, length));
+        EXPECT_TRUE(std::ranges::count(chosen, experiment.name, &Experiment::name) == 1)
+            << row.name.substr(0, length);
+      }
     }
   }
 }
@@ -101,6 +107,7 @@ TEST(RunBenchmarks, RunsOnlyExperimentsThatAFilterCanMean) {
     EXPECT_EQ(n_chosen(grains).second, 0) << grains;
   }
   EXPECT_EQ(n_chosen("elasticity"), Counts(0, 8));
+  EXPECT_EQ(n_chosen("elasticity/tube"), Counts(0, 2));
   EXPECT_EQ(n_chosen("elasticity/column"), Counts(0, 1));
   EXPECT_EQ(n_chosen("elasticity/column/shortening"), Counts(0, 1));
   EXPECT_EQ(n_chosen("").second, 8);
