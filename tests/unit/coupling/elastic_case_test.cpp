@@ -181,6 +181,8 @@ TEST(ElasticCase, ReachesThePress) {
   for (auto const& [tool, place, z, outwards] :
        {std::tuple{1, PunchPlace::upper, 20e-3, 1.0}, {2, PunchPlace::lower, 0.0, -1.0}}) {
     EXPECT_EQ(tools[tool].body->body.mesh().hash(), make_punch_body(setup, place).mesh.hash());
+    // a cup is followed by quadratic interpolation, within the chordal tolerance
+    EXPECT_LT(largest_gap(tools[tool]), 1e-5);
     // in the middle the cup is deepest, on the land the face is where a flat one is
     for (auto const& [r, height] : {std::pair{0.0, z + outwards * 2e-3}, {10.6e-3, z}}) {
       std::vector<dem::SurfacePoint> found;
@@ -188,6 +190,27 @@ TEST(ElasticCase, ReachesThePress) {
       ASSERT_FALSE(found.empty()) << tool << " at r = " << r;
       EXPECT_LT(std::abs(found.front().distance), 2e-5) << tool << " at r = " << r;
     }
+  }
+}
+
+// A file's mesh with straight sides leaves the case's bore by 53 um between corners; what grains
+// follow stays with the FE surface within the chordal tolerance, not with that bore.
+TEST(ElasticCase, FromFilesReachesThePress) {
+  support::ScratchFolder const cache;
+  setenv("PRESSCHECK_CACHE", cache.path().c_str(), 1);
+  FileCase const die_file("Die mesh file", die());
+  FileCase const upper("Upper punch mesh file", punch(PunchPlace::upper));
+  FileCase const lower("Lower punch mesh file", punch(PunchPlace::lower));
+  auto const tools = make_yielding_tools(
+      read(die_file.with({at + "Upper punch mesh file=" + upper.path().string(),
+                          at + "Lower punch mesh file=" + lower.path().string()})));
+  ASSERT_EQ(tools.size(), 3u);
+  EXPECT_EQ(tools[0].body->body.mesh().n_cells(), die().cells.size());
+  EXPECT_LT(largest_gap(tools[0]), 1e-5);
+  for (int const t : {1, 2}) {
+    EXPECT_EQ(tools[t].body->body.mesh().n_cells(), punch(PunchPlace::upper).cells.size());
+    EXPECT_LT(largest_gap(tools[t]), 1e-9);
+    EXPECT_TRUE(near::relative(tools[t].body->area, 0.99359 * dem::pi * bore * bore, 1e-3));
   }
 }
 
