@@ -76,20 +76,22 @@ ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode) {
       return ToolSupport::guided;
     return chosen == "clamped" ? ToolSupport::clamped : ToolSupport::rollers;
   };
-  return {.material = {.young_modulus = read.number(at + "Young's modulus"),
-                       .poisson_ratio = read.number(at + "Poisson's ratio"),
-                       .yield_strength = strength("Yield strength"),
-                       .fatigue_strength = strength("Fatigue strength")},
-          .cell_size = read.number(at + "Cell size"),
-          .die_support = support("Die support"),
-          .punch_support = support("Punch support"),
-          .coupling = {.mode = modes.at(mode),
-                       .window = read.count(at + "Window"),
-                       .accelerator = read.choice(at + "Accelerator") == "aitken"
-                                          ? Accelerator::aitken
-                                          : Accelerator::iqn_ils,
-                       .tolerance = read.number(at + "Tolerance"),
-                       .most_iterations = read.count(at + "Largest iterations")}};
+  ElasticTools tools{.material = {.young_modulus = read.number(at + "Young's modulus"),
+                                  .poisson_ratio = read.number(at + "Poisson's ratio"),
+                                  .yield_strength = strength("Yield strength"),
+                                  .fatigue_strength = strength("Fatigue strength")},
+                     .cell_size = read.number(at + "Cell size"),
+                     .die_support = support("Die support"),
+                     .punch_support = support("Punch support"),
+                     .coupling = {.mode = modes.at(mode),
+                                  .window = read.count(at + "Window"),
+                                  .accelerator = read.choice(at + "Accelerator") == "aitken"
+                                                     ? Accelerator::aitken
+                                                     : Accelerator::iqn_ils,
+                                  .tolerance = read.number(at + "Tolerance"),
+                                  .most_iterations = read.count(at + "Largest iterations")}};
+  read_tool_shapes(read, tools);
+  return tools;
 }
 
 Powder read_powder(CaseReader& read) {

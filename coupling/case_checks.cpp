@@ -128,7 +128,7 @@ void CaseCheck::grain_sizes() const {
 
 void CaseCheck::filling() const {
   auto const& powder = case_.powder;
-  if (case_.tooling.die_file.empty() &&
+  if (case_.tooling.die_file.empty() && case_.elastic.shapes.die_file.empty() &&
       powder.fill_height > case_.tooling.die_height * (1.0 + 1e-12))
     read_.refuse("Powder/Fill height",
                  fmt::format("is above the die (Tooling/Die height = {} mm). Make the die as high?",
@@ -262,6 +262,7 @@ void check_case(Case const& checked, CaseReader const& read) {
   check.grain_sizes();
   check.filling();
   check.tooling();
+  check_tool_shapes(checked, read);
   check.programme();
   check.frame();
   check.tool_speed();

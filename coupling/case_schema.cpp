@@ -192,6 +192,37 @@ std::vector<Entry> elastic_entries() {
   };
 }
 
+std::vector<Entry> tool_shape_entries() {
+  std::string const at = "Deformable tools/";
+  return {
+      {at + "Ring thickness", quantity, length, "0 mm", within(0.0, 2.0), "",
+       "Thickness of a ring bonded round the die, outside Wall thickness; 0: none."},
+      {at + "Ring Young's modulus", quantity, modulus, "210 GPa", within(1e5, 1e18), "",
+       "Young's modulus of the ring, or of the second region of Die mesh file."},
+      {at + "Ring Poisson's ratio", quantity, ratio, "0.3", poisson_range, "",
+       "Poisson's ratio of the ring."},
+      {at + "Punch face", choice, ratio, "flat", any, "flat | bevelled | concave",
+       "Faces of both punches; the flat part of a face stands where a flat face would."},
+      {at + "Bevel width", quantity, length, "0 mm", within(0.0, 2.0), "",
+       "Width of a bevelled face's cone along the radius, from the rim inwards."},
+      {at + "Bevel depth", quantity, length, "0 mm", within(-2.0, 2.0), "",
+       "How far the rim of a bevelled face stands back from the powder; negative: into it."},
+      {at + "Cup depth", quantity, length, "0 mm", within(0.0, 2.0), "",
+       "Depth of a concave face's spherical cup under its land."},
+      {at + "Cup land", quantity, length, "0 mm", within(0.0, 2.0), "",
+       "Width of the flat land round the cup of a concave face."},
+      {at + "Die mesh file", file, ratio, "", any, "",
+       "gmsh file (.msh) of the die with surfaces bore and bottom; empty: made from the "
+       "dimensions."},
+      {at + "Upper punch mesh file", file, ratio, "", any, "",
+       "gmsh file of the upper punch with surfaces face, at z = 0, and back; empty: made."},
+      {at + "Lower punch mesh file", file, ratio, "", any, "",
+       "gmsh file of the lower punch with surfaces face, at z = 0, and back; empty: made."},
+      {at + "Mesh scale", quantity, length, "1 m", above_up_to(0.0, 1.0), "",
+       "Length of one unit of the mesh files: 1 mm for a drawing in millimetres."},
+  };
+}
+
 std::vector<Entry> frame_entries() {
   std::string const at = "Press frame/";
   return {
@@ -293,6 +324,7 @@ std::vector<Entry> all_entries() {
   append(interaction_entries("Contact/Particle-wall/", "0 J/m^3"));
   append(tooling_entries());
   append(elastic_entries());
+  append(tool_shape_entries());
   append(frame_entries());
   for (int number = 1; number <= max_stages; ++number)
     append(stage_entries(number));

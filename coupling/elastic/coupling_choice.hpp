@@ -1,8 +1,11 @@
 #pragma once
 
 #include "continuum/tool/elastic_material.hpp"
+#include "continuum/tool/tool_shape.hpp"
 
 #include <cstdint>
+#include <filesystem>
+#include <optional>
 
 namespace coupling {
 
@@ -21,10 +24,21 @@ struct CouplingChoice {
   std::uint64_t most_iterations = 20;
 };
 
+/// What deformable tools look like beyond Tooling's dimensions.
+struct ElasticToolShapes {
+  double ring_thickness = 0.0; ///< [m], of a ring bonded round the die; 0: none
+  decltype(continuum::PunchShape::face) punch_face = continuum::FlatFace{}; ///< of both punches
+  /// gmsh files that replace a tool's dimensions; empty: none. A punch's face is at z = 0.
+  std::filesystem::path die_file, upper_punch_file, lower_punch_file;
+  double mesh_scale = 1.0; ///< [m] per unit of these files
+};
+
 /// The tools as elastic bodies. Their modulus here is that of the body; the one at a contact is
 /// Tooling's.
 struct ElasticTools {
   continuum::ElasticMaterial material{.young_modulus = 210e9, .poisson_ratio = 0.3};
+  std::optional<continuum::ElasticMaterial> ring = {}; ///< material of the die's second region
+  ElasticToolShapes shapes;
   double cell_size = 3.5e-3; ///< [m], of the meshes where grains press
   ToolSupport die_support = ToolSupport::clamped, punch_support = ToolSupport::clamped;
   CouplingChoice coupling;

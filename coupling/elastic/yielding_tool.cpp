@@ -1,7 +1,9 @@
 #include "coupling/elastic/yielding_tool.hpp"
 
 #include "continuum/errors.hpp"
-#include "continuum/session.hpp"
+#include "coupling/elastic/session.hpp"
+#include "coupling/elastic/smooth_rim.hpp"
+#include "coupling/elastic/tool_meshes.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -57,15 +59,17 @@ std::vector<std::uint32_t> patches_on(std::string const& name, dem::SmoothSurfac
 }
 
 ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
-                      continuum::ToolMesh const& mesh, continuum::Supports const& supports,
-                      double z) {
+                      ToolBody const& from, continuum::Supports const& supports, double z) {
+  continuum::ToolMesh const& mesh = from.mesh;
   auto const& tooling = setup.tooling;
   dem::Vec3 const offset(0.0, 0.0, z);
   auto const boundary = mesh.boundary();
   auto const triangles = boundary.triangulate(tooling.chordal_tolerance);
   dem::SmoothSurface touched(triangles_of(triangles, offset));
   auto patches = patches_on(pressed, touched, boundary, triangles);
-  continuum::ElasticTool body(mesh, {mesh.n_regions(), setup.elastic.material}, supports);
+  refuse_smooth_rim(fmt::format("{}: deformable tools: {}", setup.file.string(), name), pressed,
+                    boundary, triangles);
+  continuum::ElasticTool body(mesh, from.materials, supports);
   auto compliance = condensed(body, pressed);
   auto surface = std::make_shared<ElasticSurface>(mesh.trace(pressed), offset, std::move(patches));
   Eigen::Matrix3Xd const pressure_loads = surface->trace().pressure_loads(1.0);
@@ -126,31 +130,19 @@ double YieldingTool::pressing_force(Eigen::Matrix3Xd const& forces) const {
 }
 
 std::vector<ElasticPair> make_yielding_tools(Case const& setup) {
-  // Only presses with deformable tools pay for MPI and PETSc; they stay until the program ends.
-  if (!continuum::Session::is_active())
-    static continuum::Session const session;
-  Tooling const& t = setup.tooling;
+  ensure_session();
   ElasticTools const& elastic = setup.elastic;
-  double const radius = 0.5 * t.bore_diameter;
+  auto const back = supports_of("back", elastic.punch_support);
   try {
-    continuum::DieShape const die{
-        .bore_radius = radius, .outer_radius = radius + t.wall_thickness, .height = t.die_height};
-    continuum::PunchShape const upper{
-        .radius = radius, .length = t.punch_length, .place = continuum::PunchPlace::upper};
-    continuum::PunchShape lower = upper;
-    lower.place = continuum::PunchPlace::lower;
-    auto const punch_cells = continuum::cells_of_size(upper, elastic.cell_size);
-    auto const die_mesh =
-        continuum::ToolMesh::die(die, continuum::cells_of_size(die, elastic.cell_size));
-    auto const back = supports_of("back", elastic.punch_support);
+    // Bodies first: what is wrong with a file is said before any is condensed.
+    ToolBody const die = make_die_body(setup);
+    ToolBody const upper = make_punch_body(setup, continuum::PunchPlace::upper);
+    ToolBody const lower = make_punch_body(setup, continuum::PunchPlace::lower);
     std::vector<ElasticPair> tools;
     tools.push_back(
-        make_pair(setup, "die", "bore", die_mesh, supports_of("bottom", elastic.die_support), 0.0));
-    tools.push_back(make_pair(setup, "upper_punch", "face",
-                              continuum::ToolMesh::punch(upper, punch_cells), back,
-                              setup.powder.fill_height));
-    tools.push_back(make_pair(setup, "lower_punch", "face",
-                              continuum::ToolMesh::punch(lower, punch_cells), back, 0.0));
+        make_pair(setup, "die", "bore", die, supports_of("bottom", elastic.die_support), 0.0));
+    tools.push_back(make_pair(setup, "upper_punch", "face", upper, back, setup.powder.fill_height));
+    tools.push_back(make_pair(setup, "lower_punch", "face", lower, back, 0.0));
     return tools;
   } catch (continuum::InvalidInput const& error) {
     throw dem::InvalidInput(

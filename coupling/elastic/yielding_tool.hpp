@@ -42,9 +42,9 @@ struct ElasticPair {
   std::shared_ptr<YieldingTool const> body;
 };
 
-/// The press's die, upper and lower punch (in this order) from the case's dimensions; operators
-/// are read from the user's cache folder where they are.
-/// @throws dem::InvalidInput  if a tool cannot be meshed or held
+/// The press's die, upper and lower punch (in this order) from the case's dimensions or mesh files
+/// (tool_meshes.hpp); operators are read from the user's cache folder where they are.
+/// @throws dem::InvalidInput  if a tool cannot be meshed or held, or does not fit the press
 std::vector<ElasticPair> make_yielding_tools(Case const& setup);
 
 /// Largest distance between the FE surface and the shape that grains follow on it [m], at Gauss

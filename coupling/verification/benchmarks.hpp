@@ -21,7 +21,13 @@ std::vector<Experiment> adhesion_experiments();
 std::vector<Experiment> friction_experiments();
 std::vector<Experiment> integrator_experiments();
 std::vector<Experiment> particle_impact_experiments();
+std::vector<Experiment>
+elasticity_experiments(); ///< finite elements: MPI and PETSc start with the first run
 
 std::vector<Experiment> all_experiments();
+
+/// Those that can have rows for a filter: with the filter in their name, or whose name it starts
+/// with; if there are none, those of the theme that it starts with. The others do not run.
+std::vector<Experiment> experiments_for(std::string_view filter);
 
 } // namespace coupling::verification

@@ -31,8 +31,9 @@ std::vector<Benchmark> run_one(Experiment const& experiment) {
 
 std::vector<Experiment> all_experiments() {
   std::vector<Experiment> all;
-  for (auto const theme : {collision_experiments, adhesion_experiments, friction_experiments,
-                           integrator_experiments, particle_impact_experiments}) {
+  for (auto const theme :
+       {collision_experiments, adhesion_experiments, friction_experiments, integrator_experiments,
+        particle_impact_experiments, elasticity_experiments}) {
     std::ranges::move(theme(), std::back_inserter(all));
   }
   return all;
@@ -46,15 +47,23 @@ Benchmark compare(std::string name, double reference, double result, double tole
           tolerance,       error <= tolerance, std::move(source)};
 }
 
+std::vector<Experiment> experiments_for(std::string_view filter) {
+  auto experiments = all_experiments();
+  auto const is_named = [&](Experiment const& one) {
+    return matches(one.name, filter) || filter.starts_with(one.name + "/");
+  };
+  bool const names_one = std::ranges::any_of(experiments, is_named);
+  std::erase_if(experiments, [&](Experiment const& one) {
+    bool const is_theme = filter.starts_with(one.name.substr(0, one.name.find('/')));
+    return !is_named(one) && (names_one || !is_theme);
+  });
+  return experiments;
+}
+
 std::vector<Benchmark> run_benchmarks(std::string_view filter) {
   std::vector<Benchmark> rows;
-  for (Experiment const& experiment : all_experiments()) {
-    // A filter may name a row inside an experiment: then the experiment runs and the others of its
-    // rows are dropped.
+  for (Experiment const& experiment : experiments_for(filter)) {
     bool const whole = matches(experiment.name, filter);
-    bool const theme = filter.starts_with(experiment.name.substr(0, experiment.name.find('/')));
-    if (!whole && !theme)
-      continue;
     for (Benchmark& row : run_one(experiment)) {
       if (whole || matches(row.name, filter))
         rows.push_back(std::move(row));

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -35,6 +36,12 @@ TEST_P(Verification, HoldsItsTolerances) {
       EXPECT_TRUE(row.name.starts_with(experiment.name.substr(0, experiment.name.find('/'))))
           << row.name;
       EXPECT_FALSE(row.source.empty()) << row.name;
+      // However much of the row's name a filter holds, its experiment runs.
+      for (std::size_t length = 0; length <= row.name.size(); ++length) {
+        auto const chosen = experiments_for(row.name.substr(0, length));
+        EXPECT_TRUE(std::ranges::count(chosen, experiment.name, &Experiment::name) == 1)
+            << row.name.substr(0, length);
+      }
     }
   }
 }
@@ -65,6 +72,45 @@ TEST(RunBenchmarks, FiltersByPartOfTheRowsName) {
   EXPECT_EQ(names.size(), rows.size());
   EXPECT_EQ(run_benchmarks("free_fall/position").size(), 1u);
   EXPECT_TRUE(run_benchmarks("no such thing").empty());
+}
+
+// The finite elements stand in the same list: 4 + 1 + 1 + 4 + 2 + 2 + 4 + 2 rows of problems.hpp.
+TEST(RunBenchmarks, HasTheProblemsOfElasticity) {
+  auto const rows = run_benchmarks("elasticity");
+  std::set<std::string> names;
+  for (Benchmark const& row : rows) {
+    names.insert(row.name);
+    EXPECT_TRUE(row.ok) << row.name;
+    EXPECT_EQ(row.name.find_first_of(" :,[]"), std::string::npos) << row.name;
+  }
+  EXPECT_EQ(rows.size(), 20u);
+  EXPECT_EQ(names.size(), rows.size());
+  EXPECT_TRUE(names.contains("elasticity/tube_in_plane_strain/von_Mises_stress_at_the_bore"));
+  EXPECT_TRUE(names.contains("elasticity/beams/cantilever_deflection_of_the_end"));
+  // Lame, plane strain, 65.7 MPa: 5.46424 um
+  auto const bore = run_benchmarks("elasticity/tube_in_plane_strain/u_r_at_the_bore");
+  ASSERT_EQ(bore.size(), 1u);
+  EXPECT_NEAR(bore[0].reference, 5.46424e-6, 1e-11);
+}
+
+// Grains' rows do not wait for finite elements, and a row's full name runs its experiment alone.
+TEST(RunBenchmarks, RunsOnlyExperimentsThatAFilterCanMean) {
+  auto const n_chosen = [](std::string const& filter) {
+    auto const chosen = experiments_for(filter);
+    auto const n_elastic = std::ranges::count_if(
+        chosen, [](Experiment const& one) { return one.name.starts_with("elasticity/"); });
+    return std::pair(static_cast<std::ptrdiff_t>(chosen.size()) - n_elastic, n_elastic);
+  };
+  using Counts = std::pair<std::ptrdiff_t, std::ptrdiff_t>;
+  for (char const* grains : {"hertz", "free_fall/position", "chung_ooi/7", "integrator/order"}) {
+    EXPECT_GT(n_chosen(grains).first, 0) << grains;
+    EXPECT_EQ(n_chosen(grains).second, 0) << grains;
+  }
+  EXPECT_EQ(n_chosen("elasticity"), Counts(0, 8));
+  EXPECT_EQ(n_chosen("elasticity/tube"), Counts(0, 2));
+  EXPECT_EQ(n_chosen("elasticity/column"), Counts(0, 1));
+  EXPECT_EQ(n_chosen("elasticity/column/shortening"), Counts(0, 1));
+  EXPECT_EQ(n_chosen("").second, 8);
 }
 
 TEST(VerificationFiles, HoldWhatTheContractSays) {
