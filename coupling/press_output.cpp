@@ -1,5 +1,6 @@
 #include "coupling/press_output.hpp"
 
+#include "coupling/elastic/tool_stress.hpp"
 #include "coupling/grain_fields.hpp"
 #include "coupling/press_measures.hpp"
 #include "coupling/press_set_up.hpp"
@@ -116,6 +117,9 @@ void RunFolder::write_results(Press const& press) const {
                   .seed = press.setup.powder.seed,
                   .threads = omp_get_max_threads()},
                  press.world.grains, frames);
+  for (std::size_t t = 0; t < press.coupling.n_tools(); ++t)
+    write_tool_stress(folder_ / "snapshots" / (press.coupling.tool(t).name + "_peak.vtu"),
+                      press.coupling.tool(t), press.coupling.peak_load(t));
   write_press_report(press, folder_ / "report.html");
 }
 

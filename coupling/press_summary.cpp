@@ -1,3 +1,4 @@
+#include "coupling/elastic/tool_stress.hpp"
 #include "coupling/press_guards.hpp"
 #include "coupling/press_measures.hpp"
 
@@ -108,10 +109,13 @@ Summary summarise(Press const& press) {
   summary.mode = press.setup.mode;
   summary.version = PRESSCHECK_VERSION;
   summary.checks = checks_of(press);
-  for (dem::Tool const& tool : world.tools) {
+  for (std::size_t t = 0; t < world.tools.size(); ++t) {
     ToolSummary rigid;
-    rigid.name = tool.name;
-    summary.tools.push_back(rigid);
+    rigid.name = world.tools[t].name;
+    summary.tools.push_back(press.coupling.is_rigid()
+                                ? rigid
+                                : tool_stress(press.coupling.tool(t), press.coupling.peak_load(t),
+                                              press.setup.elastic.cell_size));
   }
   return summary;
 }

@@ -48,6 +48,6 @@ TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   for (auto const& check : summary.checks)
     EXPECT_TRUE(check.ok) << check.name << ": " << check.value;
   for (auto const* file : {"tools.pvd", "grains.pvd", "report.html", "run.h5", "geometry/die.stl",
-                           "restart_stage_release.h5"})
+                           "restart_stage_release.h5", "snapshots/die_peak.vtu"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
 }
