@@ -8,11 +8,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <optional>
 
 namespace coupling {
 namespace {
+
+constexpr std::uintmax_t most_cached = 500'000'000; // bytes
 
 /// Where operators are kept between runs: $PRESSCHECK_CACHE, or the user's cache folder.
 std::optional<std::filesystem::path> cache_folder() {
@@ -25,6 +28,22 @@ std::optional<std::filesystem::path> cache_folder() {
   return std::nullopt;
 }
 
+/// Removes the oldest files of the folder until the rest takes no more than `most_cached`.
+void prune(std::filesystem::path const& folder) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  std::vector<fs::directory_entry> files;
+  for (auto const& entry : fs::directory_iterator(folder, error))
+    if (entry.is_regular_file(error))
+      files.push_back(entry);
+  std::ranges::sort(files, std::ranges::greater(),
+                    [&](auto const& file) { return file.last_write_time(error); });
+  std::uintmax_t total = 0;
+  for (auto const& file : files)
+    if ((total += file.file_size(error)) > most_cached)
+      fs::remove(file.path(), error);
+}
+
 continuum::InterfaceCompliance condensed(continuum::ElasticTool const& body,
                                          std::string const& surface) {
   auto const folder = cache_folder();
@@ -33,7 +52,14 @@ continuum::InterfaceCompliance condensed(continuum::ElasticTool const& body,
     std::filesystem::create_directories(*folder, error);
   if (!folder || error)
     return continuum::InterfaceCompliance::condense(body, surface);
-  return continuum::InterfaceCompliance::cached(body, surface, *folder);
+  try {
+    auto compliance = continuum::InterfaceCompliance::cached(body, surface, *folder);
+    prune(*folder);
+    return compliance;
+  } catch (continuum::InvalidInput const&) {
+    // A damaged file or a full disk costs seconds, not the run.
+    return continuum::InterfaceCompliance::condense(body, surface);
+  }
 }
 
 dem::TriangleSurface triangles_of(continuum::TraceTriangles const& mesh, dem::Vec3 const& offset) {
