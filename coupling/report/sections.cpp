@@ -159,6 +159,30 @@ std::string checks_html(std::span<Check const> checks) {
   return table_html(header, rows);
 }
 
+std::string tools_html(std::span<ToolSummary const> tools) {
+  std::vector<TableRow> rows;
+  for (auto const& t : tools) {
+    if (!std::isfinite(t.max_von_mises))
+      continue;
+    auto const place = fmt::format("({:.2f}, {:.2f}, {:.2f}) mm", 1e3 * t.where.x(),
+                                   1e3 * t.where.y(), 1e3 * t.where.z());
+    rows.push_back(
+        {{{words(t.name)},
+          number(t.max_von_mises, "Pa"),
+          {place, true},
+          number(t.valid_below_depth, "m", 3),
+          {std::isfinite(t.yield_utilisation) ? percent(t.yield_utilisation) : "no strength given",
+           true}},
+         ""});
+  }
+  if (rows.empty())
+    return "";
+  std::vector<std::string> const header = {"Tool at the peak", "Largest von Mises stress", "Where",
+                                           "Independent of single contacts below", "Of yield"};
+  return "<section class=\"card\" id=\"tools\"><h2>Stress of the tools</h2>" +
+         table_html(header, rows) + "</section>";
+}
+
 std::string comparison_html(std::span<ComparedValue const> compared) {
   if (compared.empty())
     return "";
