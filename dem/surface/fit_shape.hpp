@@ -28,7 +28,8 @@ struct SmoothPatch {
 };
 
 /// How far a vertex may stand off the recognised plane or cylinder, as a fraction of the patch's
-/// extent: wide enough for the six digits of an ASCII file, far below any overlap that matters.
+/// extent: wide enough for the six digits of an ASCII file and for the parabolas of a second-order
+/// mesh (0.1 um on the seed's bore), far below any overlap that matters.
 inline constexpr double recognition_tolerance = 1e-5;
 
 /// The plane through all corners of `triangles`: area-weighted normal through the area-weighted
