@@ -86,6 +86,7 @@ void write_vtu(std::filesystem::path const& file, ElasticTool const& tool,
 
   dealii::DataOut<3> out;
   dealii::DataOutBase::VtkFlags flags;
+  flags.print_date_and_time = false; // the same tool gives the same bytes
   flags.write_higher_order_cells = true;
   out.set_flags(flags);
   out.attach_dof_handler(vector_nodes);
