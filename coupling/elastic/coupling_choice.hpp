@@ -38,7 +38,7 @@ struct ElasticToolShapes {
 struct ElasticTools {
   continuum::ElasticMaterial material{.young_modulus = 210e9, .poisson_ratio = 0.3};
   std::optional<continuum::ElasticMaterial> ring = {}; ///< material of the die's second region
-  ElasticToolShapes shapes;
+  ElasticToolShapes shapes = {};
   double cell_size = 3.5e-3; ///< [m], of the meshes where grains press
   ToolSupport die_support = ToolSupport::clamped, punch_support = ToolSupport::clamped;
   CouplingChoice coupling;
