@@ -43,6 +43,11 @@ void append_coupling_checks(Press const& press, std::vector<Check>& checks) {
     return;
   CouplingChecks const& kept = coupling.checks();
   CouplingMode const mode = coupling.choice().mode;
+  double gap = 0.0;
+  for (std::size_t t = 0; t < coupling.n_tools(); ++t)
+    gap = std::max(gap, coupling.tool(t).gap);
+  checks.push_back(upper_bound("gap between meshes of tools and what grains touch [m]", gap,
+                               press.setup.tooling.chordal_tolerance));
   checks.push_back(upper_bound("transfer, force", kept.force, transfer_tolerance));
   checks.push_back(upper_bound("transfer, moment", kept.moment, transfer_tolerance));
   if (mode == CouplingMode::one_way) {

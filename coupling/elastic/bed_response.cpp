@@ -29,8 +29,7 @@ double ToolCoupling::compliance(std::size_t t) const {
   double const force = tools_[t]->pressing_force(c.load_from);
   if (force > 0.0 && dot(c.load_from, c.from) > 0.0)
     return dot(c.load_from, c.from) / (force * force);
-  Nodal const& uniform = tools_[t]->pressure_loads;
-  return tools_[t]->retreat_under(uniform) / tools_[t]->pressing_force(uniform);
+  return tools_[t]->uniform_compliance;
 }
 
 double ToolCoupling::coupling_number() const {

@@ -1,6 +1,7 @@
 #include "coupling/elastic/smooth_rim.hpp"
 
 #include "dem/expect.hpp"
+#include "dem/surface/smooth_surface.hpp"
 #include "dem/vec3.hpp"
 
 #include <Eigen/Geometry>
@@ -15,7 +16,7 @@ namespace coupling {
 void refuse_smooth_rim(std::string const& where, std::string const& pressed,
                        continuum::SurfaceTrace const& boundary,
                        continuum::TraceTriangles const& triangles) {
-  constexpr double smooth_angle = 0.35; // [rad], of dem::SmoothSurface
+  constexpr double smooth_angle = dem::default_smooth_angle;
   struct Side {
     Eigen::Vector3d normal;
     std::uint32_t surface;

@@ -48,8 +48,6 @@ double ToolCoupling::energy(dem::World const& world) const {
 void ToolCoupling::step_done(dem::World& world, double gap, double dt) {
   if (is_rigid())
     return;
-  if (bed_mass_ == 0.0)
-    bed_mass_ = std::accumulate(world.grains.mass.begin(), world.grains.mass.end(), 0.0);
   time_ += dt;
   gap_integral_ += dt * gap;
   if (++steps_ == choice_.window)
@@ -90,7 +88,7 @@ void ToolCoupling::settle(dem::World const& world) {
     c.from = now;
     if (!walls_move()) {
       c.load_from = loads_[t];
-      c.from = tools_[t]->displacement(loads_[t]);
+      c.from = tools_[t]->compliance.displacement(loads_[t]);
     }
     double const energy = 0.5 * dot(c.load_from, c.from);
     if (!world.tools[t].present) {
@@ -110,7 +108,7 @@ void ToolCoupling::choose_loads(std::vector<Nodal> const& to, double length) {
   planned_ = length;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     courses_[t].load_to = to[t];
-    courses_[t].to = tools_[t]->displacement(to[t]);
+    courses_[t].to = tools_[t]->compliance.displacement(to[t]);
   }
 }
 
@@ -132,6 +130,7 @@ void ToolCoupling::end_window(dem::World& world) {
   if (is_rigid() || steps_ == 0)
     return;
   take_loads(world);
+  bed_mass_ = std::accumulate(world.grains.mass.begin(), world.grains.mass.end(), 0.0);
   watch_bed();
   keep_peak();
   settle(world);
@@ -141,15 +140,15 @@ void ToolCoupling::end_window(dem::World& world) {
     windows_beyond_ = number > 1.0 ? windows_beyond_ + 1 : 0;
   }
   refuse_divergence(world);
-  bool const is_implicit = choice_.mode == CouplingMode::two_way_implicit;
   // A window cut short by the end of a stage is followed by one of full length.
   double const length = time_ / static_cast<double>(steps_) * static_cast<double>(choice_.window);
-  if (walls_move() && !is_implicit)
-    choose_loads(choice_.mode == CouplingMode::two_way_secant ? secant_loads() : loads_, length);
+  // The secant's course is also what the implicit mode tries first.
+  if (walls_move())
+    choose_loads(choice_.mode == CouplingMode::two_way_explicit ? loads_ : secant_loads(), length);
   for (std::size_t t = 0; t < tools_.size(); ++t)
     courses_[t].last_load = loads_[t];
   ++checks_.windows;
-  wants_course_ = is_implicit ? 1 : 0;
+  wants_course_ = choice_.mode == CouplingMode::two_way_implicit ? 1 : 0;
   steps_ = 0;
   time_ = gap_integral_ = 0.0;
   world.window_time = 0.0;

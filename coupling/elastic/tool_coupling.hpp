@@ -65,7 +65,7 @@ public:
   void show_courses() const;
 
   // For the implicit mode: loads of all tools as one vector, tool by tool, node by node.
-  Eigen::VectorXd predicted() const; ///< g that the secant mode would choose
+  Eigen::VectorXd predicted() const; ///< g that the secant mode has chosen
   /// Mean loads of the impulses since the window began, `time` [s] ago.
   Eigen::VectorXd mean_loads(dem::World& world, double time) const;
   Eigen::VectorXd wanted(Eigen::VectorXd const& loads) const; ///< g that these loads hold

@@ -36,7 +36,10 @@ std::vector<ToolCoupling::Nodal> ToolCoupling::parted(Eigen::VectorXd const& all
 }
 
 Eigen::VectorXd ToolCoupling::predicted() const {
-  return joined(secant_loads());
+  std::vector<Nodal> to;
+  for (Course const& c : courses_)
+    to.push_back(c.load_to);
+  return joined(to);
 }
 
 Eigen::VectorXd ToolCoupling::mean_loads(dem::World& world, double time) const {
@@ -65,7 +68,8 @@ bool ToolCoupling::is_converged(Eigen::VectorXd const& to, Eigen::VectorXd const
   auto const misses = parted(wanted - to);
   double farthest = 0.0;
   for (std::size_t t = 0; t < tools_.size(); ++t)
-    farthest = std::max(farthest, tools_[t]->displacement(misses[t]).colwise().norm().maxCoeff());
+    farthest = std::max(farthest,
+                        tools_[t]->compliance.displacement(misses[t]).colwise().norm().maxCoeff());
   return farthest <= 0.01 * choice_.tolerance * length;
 }
 

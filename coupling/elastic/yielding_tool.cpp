@@ -100,7 +100,6 @@ ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
   auto surface = std::make_shared<ElasticSurface>(mesh.trace(pressed), offset, std::move(patches));
   Eigen::Matrix3Xd const pressure_loads = surface->trace().pressure_loads(1.0);
   double const area = surface->trace().area();
-  Eigen::Matrix3Xd const retreat = compliance.displacement(pressure_loads) / area;
   auto tool = std::make_shared<YieldingTool>(YieldingTool{.name = std::move(name),
                                                           .pressed = std::move(pressed),
                                                           .body = std::move(body),
@@ -108,9 +107,12 @@ ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
                                                           .surface = std::move(surface),
                                                           .offset = offset,
                                                           .pressure_loads = pressure_loads,
-                                                          .area = area,
-                                                          .retreat_of_force = retreat});
-  return {.touched = std::move(touched), .body = std::move(tool)};
+                                                          .area = area});
+  tool->uniform_compliance = tool->retreat(tool->compliance.displacement(pressure_loads)) /
+                             tool->pressing_force(pressure_loads);
+  ElasticPair pair{.touched = std::move(touched), .body = tool};
+  tool->gap = largest_gap(pair);
+  return pair;
 }
 
 continuum::Supports supports_of(std::string const& surface, ToolSupport support) {
@@ -124,25 +126,8 @@ continuum::Supports supports_of(std::string const& surface, ToolSupport support)
 
 } // namespace
 
-Eigen::Matrix3Xd YieldingTool::displacement(Eigen::Matrix3Xd const& forces) const {
-  // C is symmetric: its columns under load are summed, the others (most of a bore above the bed)
-  // are never read.
-  Eigen::MatrixXd const& C = compliance.matrix();
-  Eigen::Map<Eigen::VectorXd const> const f(forces.data(), forces.size());
-  Eigen::Matrix3Xd result = Eigen::Matrix3Xd::Zero(3, forces.cols());
-  Eigen::Map<Eigen::VectorXd> u(result.data(), result.size());
-  for (Eigen::Index k = 0; k < f.size(); ++k)
-    if (f[k] != 0.0)
-      u += f[k] * C.col(k);
-  return result;
-}
-
 double YieldingTool::retreat(Eigen::Matrix3Xd const& u) const {
   return (pressure_loads.array() * u.array()).sum() / area;
-}
-
-double YieldingTool::retreat_under(Eigen::Matrix3Xd const& forces) const {
-  return (retreat_of_force.array() * forces.array()).sum();
 }
 
 double YieldingTool::pressing_force(Eigen::Matrix3Xd const& forces) const {

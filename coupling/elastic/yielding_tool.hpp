@@ -22,16 +22,13 @@ struct YieldingTool {
   std::shared_ptr<ElasticSurface> surface;
   dem::Vec3 offset; ///< [m], from the frame of the mesh to the tool's own
 
-  Eigen::Matrix3Xd pressure_loads;   ///< of 1 Pa on the surface [m^2]: they point into the body
-  double area;                       ///< [m^2]
-  Eigen::Matrix3Xd retreat_of_force; ///< C P / A [m/N]: its product with forces is their retreat
+  Eigen::Matrix3Xd pressure_loads; ///< P of 1 Pa on the surface [m^2]: they point into the body
+  double area;                     ///< [m^2]
+  double uniform_compliance = 0.0; ///< [m/N], retreat over force under a uniform pressure
+  double gap = 0.0;                ///< [m], see largest_gap()
 
-  /// u = C f [m]
-  Eigen::Matrix3Xd displacement(Eigen::Matrix3Xd const& forces) const;
   /// Mean displacement into the body over the surface [m]: P.u / A.
   double retreat(Eigen::Matrix3Xd const& displacement) const;
-  /// The same from forces, without C.
-  double retreat_under(Eigen::Matrix3Xd const& forces) const;
   /// Sum of the components into the body [N].
   double pressing_force(Eigen::Matrix3Xd const& forces) const;
 };

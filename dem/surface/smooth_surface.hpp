@@ -20,6 +20,9 @@ struct SurfacePoint {
   std::uint32_t triangle; ///< the triangle that receives the force
 };
 
+/// [rad], between normals; below it two triangles are one smooth surface.
+inline constexpr double default_smooth_angle = 0.35;
+
 /// A tool's surface as grains feel it: one contact per grain and smooth patch, whatever the
 /// triangulation. Triangles that meet at less than `smooth_angle` belong to one patch; a patch
 /// whose vertices lie on a plane or a cylinder is that plane or cylinder, so grains follow the true
@@ -30,7 +33,7 @@ class SmoothSurface {
 public:
   /// @throws InvalidInput if a triangle is degenerate, an edge belongs to three triangles, or two
   /// neighbours disagree about the outside
-  explicit SmoothSurface(TriangleSurface surface, double smooth_angle = 0.35,
+  explicit SmoothSurface(TriangleSurface surface, double smooth_angle = default_smooth_angle,
                          Recognition recognition = Recognition::planes_and_cylinders);
   SmoothSurface(SmoothSurface&&) noexcept;
   SmoothSurface& operator=(SmoothSurface&&) noexcept;

@@ -141,9 +141,17 @@ TEST(ToolCoupling, MeetsTheSeriesSolution) {
     EXPECT_NEAR(std::log2(number / row.number), 0.0, 0.5) << row.mode << ' ' << row.modulus;
     // The secant mode converges while the bed's stiffness is known within a factor of two; the
     // implicit one takes it for its first guess only.
-    if (row.mode != std::string("two_way_implicit"))
+    if (row.mode != std::string("two_way_implicit")) {
       EXPECT_NEAR(std::log2(press.coupling.coupling_number() / number), 0.0, 1.0)
           << row.mode << ' ' << row.modulus;
+    }
+    // The grains' ledger counts what the deformation did to them, and the tools hold what was done
+    // to them, but for what the lag inside a window takes out of the spheres that bounce on tools
+    // as soft as they are.
+    EXPECT_LT(press.tally.energy_error, 0.01 * press.tally.peak_work) << row.mode;
+    EXPECT_LT(press.coupling.checks().work_error,
+              0.01 * std::max(1.0, number) * press.tally.peak_work)
+        << row.mode << ' ' << row.modulus;
     EXPECT_LT(press.coupling.checks().force, 1e-12);
     EXPECT_LT(press.coupling.checks().moment, 1e-12);
     EXPECT_LT(press.coupling.checks().power, 1e-12);
@@ -232,35 +240,36 @@ TEST(ToolCoupling, AcceleratorsFindTheFixedPointThatPlainIterationLeaves) {
   }
 }
 
-TEST(ToolCoupling, ARestartInTheMiddleOfAWindowGoesOnToTheSameBits) {
+TEST(ToolCoupling, ARestartInOrBetweenWindowsGoesOnToTheSameBits) {
   ScratchFolder const scratch;
-  for (char const* name : {"one_way", "two_way_explicit", "two_way_secant", "two_way_implicit"}) {
-    auto press = layer::press(scratch, {mode(name), "Deformable tools/Young's modulus=5 GPa"});
-    press.programme.start_stage(press.world);
-    auto const go_on = [](Press& on, int n) {
-      for (int k = 0; k < n; ++k) {
-        if (on.coupling.wants_course())
-          find_course(on);
-        double const dt = on.programme.command_step(on.world);
-        dem::advance_ahead(on.world, dt);
-        on.programme.step_done(on.world);
-        on.coupling.step_done(on.world, punch_gap(on.world, on.programme.faces()), dt);
-      }
-      dem::complete_step(on.world);
-    };
-    go_on(press, 133);
-    auto const file = scratch / "restart.h5";
-    StateWriter write(file, {.program_version = PRESSCHECK_VERSION,
-                             .case_text = press.setup.resolved_text,
-                             .stage = "loading",
-                             .step = press.world.step,
-                             .time = press.world.time});
-    press.save(write);
-    write.commit();
-    auto again = restore_press(press.setup, file);
-    go_on(press, 95);
-    go_on(again, 95);
-    EXPECT_TRUE(same_bits(dem::capture_state(press.world), dem::capture_state(again.world)))
-        << name;
-  }
+  for (int const n_steps : {133, 140})
+    for (char const* name : {"one_way", "two_way_explicit", "two_way_secant", "two_way_implicit"}) {
+      auto press = layer::press(scratch, {mode(name), "Deformable tools/Young's modulus=5 GPa"});
+      press.programme.start_stage(press.world);
+      auto const go_on = [](Press& on, int n) {
+        for (int k = 0; k < n; ++k) {
+          if (on.coupling.wants_course())
+            find_course(on);
+          double const dt = on.programme.command_step(on.world);
+          dem::advance_ahead(on.world, dt);
+          on.programme.step_done(on.world);
+          on.coupling.step_done(on.world, punch_gap(on.world, on.programme.faces()), dt);
+        }
+        dem::complete_step(on.world);
+      };
+      go_on(press, n_steps);
+      auto const file = scratch / "restart.h5";
+      StateWriter write(file, {.program_version = PRESSCHECK_VERSION,
+                               .case_text = press.setup.resolved_text,
+                               .stage = "loading",
+                               .step = press.world.step,
+                               .time = press.world.time});
+      press.save(write);
+      write.commit();
+      auto again = restore_press(press.setup, file);
+      go_on(press, 95);
+      go_on(again, 95);
+      EXPECT_TRUE(same_bits(dem::capture_state(press.world), dem::capture_state(again.world)))
+          << name << ' ' << n_steps;
+    }
 }
