@@ -3,6 +3,7 @@
 #include "dem/contact/pack.hpp"
 #include "dem/surface/tool_deformation.hpp"
 
+#include <array>
 #include <cstdint>
 #include <new>
 #include <vector>
@@ -22,15 +23,10 @@ template <class T> struct LineAllocator {
 };
 template <class T> using LineVector = std::vector<T, LineAllocator<T>>;
 
-/// Position and radius of a grain as the sweep reads it.
-struct alignas(32) PlaceRecord {
-  double x, y, z, radius;
-};
-
-/// Velocity and spin of a grain in the number type of the sweep; `radius` rides along to fill the
-/// line.
+/// Velocity and spin of a grain in the number type of the sweep. The radius fills the line: its two
+/// parts add up to it in double, because the gap is formed there.
 template <class T> struct alignas(8 * sizeof(T)) MotionRecord {
-  T vx, vy, vz, unused, wx, wy, wz, radius;
+  T vx, vy, vz, radius_rest, wx, wy, wz, radius;
 };
 
 /// Force and torque of one sweep.
@@ -62,16 +58,18 @@ struct BlockPower {
   double normal_loss = 0.0, tangential = 0.0, rolling = 0.0;
 };
 
-/// A run of grains that follow each other along the space-filling curve, with the contacts that
-/// they own. A block writes only to its own load buffer: one record for each of its grains, then
-/// one for each foreign partner (the halo). The buffers are summed grain by grain in the order of
-/// the blocks, so the result does not depend on which thread did which block. Contacts are stored
-/// as arrays: first the pairs sorted by (owner, partner), then the walls sorted by (owner, tool,
-/// patch); each part is padded to full packs. `constants` and `memory` are streams of `stride`
-/// numbers each.
-template <class T> struct ContactBlock {
-  static constexpr int n_memory = 4; ///< spring x y z, memory of the normal law
+/// What one contact remembers: spring x y z [m], and the memory of the normal law if it has one.
+template <class T> using ContactRemembers = std::array<T, 4>;
 
+/// A run of grains that follow each other along the space-filling curve, with the contacts that
+/// they own. A block writes the loads of its own grains, and of each foreign partner (the halo)
+/// into a place of its own that lies beside those of other blocks for the same grain, in the order
+/// of the blocks. They are summed in this order, so the result does not depend on which thread did
+/// which block. Contacts are stored
+/// first the pairs sorted by (owner, partner), then the walls sorted by (owner, tool, patch); each
+/// part is padded to full packs. `constants` and `memory` hold, pack by pack, all of a pack's first
+/// numbers, then all its second ones, and so on: the sweep reads each as one stream.
+template <class T> struct ContactBlock {
   std::uint32_t first_row = 0, end_row = 0;
   std::uint32_t n_pairs = 0;
   std::vector<std::uint16_t> owner;   ///< slot of the grain, pairs only
@@ -80,17 +78,31 @@ template <class T> struct ContactBlock {
   std::vector<WallYield> yields; ///< of each wall; empty if every tool is rigid
   std::vector<std::uint32_t>
       rows; ///< row of each slot: the block's own, then the foreign partners, sorted
-  std::size_t stride = 0;
-  std::size_t wall_offset = 0; ///< where the walls start in the streams
+  std::size_t wall_offset = 0; ///< contacts before the first wall, padding included
+  int n_memory =
+      0; ///< numbers that a contact remembers: spring x y z [m], memory of the normal law
   LineVector<T> constants;
   LineVector<T> memory;
-  LineVector<LoadRecord<T>> loads; ///< one a slot
+  std::vector<std::uint32_t>
+      halo_place; ///< of each foreign partner's load in ContactLists::halo_loads
   BlockPower power;
 
   std::uint32_t n_rows() const { return end_row - first_row; }
-  T* memory_stream(int s) { return memory.data() + static_cast<std::size_t>(s) * stride; }
-  T const* memory_stream(int s) const {
-    return memory.data() + static_cast<std::size_t>(s) * stride;
+  /// Where number `s` of contact `at` is among streams of `n` numbers a contact.
+  static std::size_t entry(std::size_t at, int s, int n) {
+    constexpr std::size_t lanes = pack_size<T>;
+    return (at / lanes * static_cast<std::size_t>(n) + static_cast<std::size_t>(s)) * lanes +
+           at % lanes;
+  }
+  ContactRemembers<T> remembered(std::size_t at) const {
+    ContactRemembers<T> m{};
+    for (int s = 0; s < n_memory; ++s)
+      m[static_cast<std::size_t>(s)] = memory[entry(at, s, n_memory)];
+    return m;
+  }
+  void remember(std::size_t at, ContactRemembers<T> const& m) {
+    for (int s = 0; s < n_memory; ++s)
+      memory[entry(at, s, n_memory)] = m[static_cast<std::size_t>(s)];
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include "dem/contact/contact_block.hpp"
 #include "dem/contact/contact_model.hpp"
+#include "dem/spheres.hpp"
 #include "dem/step/world_fwd.hpp"
 
 #include <span>
@@ -9,10 +10,12 @@
 
 namespace dem {
 
-/// What a sweep reads besides the block.
+/// What a sweep reads besides the block, and where the loads go.
 template <class T> struct SweepInput {
-  PlaceRecord const* places;
+  Spheres const& grains;
   MotionRecord<T> const* motions;
+  LoadRecord<T>* own_loads;  ///< written, as in ContactLists
+  LoadRecord<T>* halo_loads; ///< written
   std::span<Tool const> tools;
   ModelSwitches<T> switches;
   double dt;          ///< [s]; 0: forces only, the springs stay as they are
@@ -28,7 +31,8 @@ template <class T> struct ContactKernel {
   void (*constants)(PairMaterial const&, PairSize const&, ContactChoice const&, double* out);
   /// Distance beyond touch at which the contact can act [m], from its constants.
   double (*reach)(double const* constants);
-  /// Forces of every contact of the block into its load buffer; advances the springs if dt > 0.
+  /// Forces of every contact of the block into its places of the loads; advances the springs if dt
+  /// > 0.
   void (*sweep)(ContactBlock<T>&, SweepInput<T> const&);
   /// One contact in full precision, nothing remembered.
   ContactOutput<double> (*evaluate)(ContactInput<double> const&, double const* constants,

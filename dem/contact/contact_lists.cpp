@@ -32,17 +32,10 @@ CarriedContact<T> renumber(CarriedContact<T> c, std::span<std::uint32_t const> n
   c.partner = new_row[c.partner];
   if (c.owner > c.partner) {
     std::swap(c.owner, c.partner);
-    for (int s = 0; s < 3; ++s)
+    for (std::size_t s = 0; s < 3; ++s)
       c.memory[s] = -c.memory[s]; // the spring is seen from the owner
   }
   return c;
-}
-
-template <class T> bool remembers(ContactBlock<T> const& block, std::size_t k) {
-  for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
-    if (block.memory_stream(s)[k] != T(0))
-      return true;
-  return false;
 }
 
 /// visit(contact) for every contact of a block that remembers something, in the old order.
@@ -50,11 +43,9 @@ template <class T, class Visit>
 void for_each_carried(ContactBlock<T> const& block, std::span<std::uint32_t const> new_row,
                       Visit&& visit) {
   auto const take = [&](std::size_t at, CarriedContact<T> c, bool is_wall) {
-    if (!remembers(block, at))
-      return;
-    for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
-      c.memory[s] = block.memory_stream(s)[at];
-    visit(renumber(c, new_row, is_wall));
+    c.memory = block.remembered(at);
+    if (c.memory != ContactRemembers<T>{})
+      visit(renumber(c, new_row, is_wall));
   };
   for (std::size_t k = 0; k < block.n_pairs; ++k)
     take(k,
@@ -112,7 +103,7 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
                  double reach, CarriedContacts<T> const& carried, ContactLists<T>& lists) {
   std::size_t const n = world.grains.size();
   // Of n alone: the same bits on any number of threads.
-  std::size_t const block_rows = lists.block_rows = n < 8192 ? 256 : 512;
+  std::size_t const block_rows = n < 8192 ? 256 : 512;
   PairTable const table(world.materials);
   lists.blocks.resize((n + block_rows - 1) / block_rows);
 #pragma omp parallel for schedule(dynamic, 1) if (lists.blocks.size() > 1)
@@ -126,11 +117,14 @@ void build_inner(World const& world, ContactKernel<T> const& kernel, ContactChoi
     for (std::size_t s = block.n_rows(); s < block.rows.size(); ++s)
       ++lists.halo_start[block.rows[s] + 1];
   std::partial_sum(lists.halo_start.begin(), lists.halo_start.end(), lists.halo_start.begin());
-  lists.halo_entry.resize(lists.halo_start.back());
+  lists.own_loads.resize(n);
+  lists.halo_loads.resize(lists.halo_start.back());
   std::vector<std::uint32_t> next(lists.halo_start.begin(), lists.halo_start.end() - 1);
-  for (std::size_t b = 0; b < lists.blocks.size(); ++b)
-    for (std::size_t s = lists.blocks[b].n_rows(); s < lists.blocks[b].rows.size(); ++s)
-      lists.halo_entry[next[lists.blocks[b].rows[s]]++] = b << 32 | s;
+  for (auto& block : lists.blocks) {
+    block.halo_place.clear();
+    for (std::size_t s = block.n_rows(); s < block.rows.size(); ++s)
+      block.halo_place.push_back(next[block.rows[s]]++);
+  }
 }
 
 #define PRESSCHECK_LISTS(T)                                                                        \

@@ -33,7 +33,7 @@ template <class T> struct CarriedContact {
   std::uint32_t owner;
   std::uint32_t partner; ///< row of the other grain, or tool
   std::uint32_t patch;   ///< of the tool; unused between grains
-  T memory[ContactBlock<T>::n_memory];
+  ContactRemembers<T> memory;
 };
 
 /// Carried contacts sorted by owner.
@@ -81,11 +81,10 @@ template <class T> struct ContactLists {
   PairList pairs;                             ///< outer list
   std::vector<std::uint32_t> near_tool_start; ///< CSR: tools near each grain, outer list
   std::vector<NearTool> near_tool;
-  std::size_t block_rows = 1; ///< rows of every block but the last
   std::vector<ContactBlock<T>> blocks;
-  std::vector<std::uint32_t>
-      halo_start; ///< CSR by grain: foreign loads to be gathered, in block order
-  std::vector<std::uint64_t> halo_entry; ///< block << 32 | record
+  LineVector<LoadRecord<T>> own_loads;   ///< of each grain, from the contacts of its own block
+  LineVector<LoadRecord<T>> halo_loads;  ///< of each grain, from those of other blocks
+  std::vector<std::uint32_t> halo_start; ///< CSR of halo_loads by grain
   std::uint64_t outer_builds = 0, inner_builds = 0;
 };
 

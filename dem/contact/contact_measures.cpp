@@ -65,8 +65,8 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
   Spheres const& g = world.grains;
   double constants[16] = {};
   auto const memory_at = [&block](std::size_t at) {
-    auto const m = [&](int s) { return static_cast<double>(block.memory_stream(s)[at]); };
-    return ContactMemory<double>{.spring = {m(0), m(1), m(2)}, .normal = m(3)};
+    auto const m = block.remembered(at);
+    return ContactMemory<double>{.spring = {m[0], m[1], m[2]}, .normal = m[3]};
   };
   for (std::size_t k = 0; k < block.n_pairs; ++k) {
     std::uint32_t const i = block.rows[block.owner[k]], j = block.rows[block.partner[k]];
@@ -211,12 +211,13 @@ template <class T> ListStatistics TypedStore<T>::statistics(World const& world) 
   auto const bytes = [](auto const&... v) { return ((v.capacity() * sizeof(v[0])) + ...); };
   for (ContactBlock<T> const& b : lists_.blocks) {
     s.listed += b.n_pairs + b.walls.size();
-    s.bytes += bytes(b.owner, b.partner, b.walls, b.rows, b.constants, b.memory, b.loads);
+    s.bytes += bytes(b.owner, b.partner, b.walls, b.rows, b.constants, b.memory, b.halo_place);
   }
   for (ListAge const* age : {&lists_.outer, &lists_.inner})
     s.bytes += bytes(age->position, age->skin);
-  s.bytes += bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start,
-                   lists_.near_tool, lists_.halo_start, lists_.halo_entry, places_, motions_);
+  s.bytes +=
+      bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start, lists_.near_tool,
+            lists_.halo_start, lists_.own_loads, lists_.halo_loads, motions_);
   return s;
 }
 
@@ -242,9 +243,9 @@ template <class T> ContactState TypedStore<T>::capture() const {
                      .inner_builds = lists_.inner_builds};
   for (ContactBlock<T> const& block : lists_.blocks) {
     auto const keep = [&](std::size_t at) {
-      auto const m = [&](int s) { return static_cast<double>(block.memory_stream(s)[at]); };
-      state.spring.emplace_back(m(0), m(1), m(2));
-      state.normal_memory.push_back(m(3));
+      auto const m = block.remembered(at);
+      state.spring.emplace_back(m[0], m[1], m[2]);
+      state.normal_memory.push_back(m[3]);
     };
     for (std::size_t k = 0; k < block.n_pairs; ++k)
       keep(k);
@@ -293,9 +294,10 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
                  state.spring.size() == state.normal_memory.size(),
              "restart: fewer contact springs than contacts. Is the file from another version?");
     auto const put = [&](std::size_t at) {
-      for (int s = 0; s < 3; ++s)
-        block.memory_stream(s)[at] = static_cast<T>(state.spring[next][s]);
-      block.memory_stream(3)[at] = static_cast<T>(state.normal_memory[next++]);
+      Vec3 const& spring = state.spring[next];
+      block.remember(at, {static_cast<T>(spring.x()), static_cast<T>(spring.y()),
+                          static_cast<T>(spring.z()), static_cast<T>(state.normal_memory[next])});
+      ++next;
     };
     for (std::size_t k = 0; k < block.n_pairs; ++k)
       put(k);

@@ -70,14 +70,13 @@ void permute_grains(Spheres& grains, std::vector<std::uint32_t> const& order) {
   permute(grains.id, order);
 }
 
-template <class T>
-void write_record(Spheres const& g, std::size_t i, PlaceRecord& place, MotionRecord<T>& motion) {
-  Vec3 const &x = g.position[i], &v = g.velocity[i], &w = g.spin[i];
-  place = {x.x(), x.y(), x.z(), g.radius[i]};
-  motion = {static_cast<T>(v.x()), static_cast<T>(v.y()),
-            static_cast<T>(v.z()), T(0),
-            static_cast<T>(w.x()), static_cast<T>(w.y()),
-            static_cast<T>(w.z()), static_cast<T>(g.radius[i])};
+template <class T> MotionRecord<T> motion_of(Spheres const& g, std::size_t i) {
+  Vec3 const &v = g.velocity[i], &w = g.spin[i];
+  T const radius = static_cast<T>(g.radius[i]);
+  return {static_cast<T>(v.x()), static_cast<T>(v.y()),
+          static_cast<T>(v.z()), static_cast<T>(g.radius[i] - static_cast<double>(radius)),
+          static_cast<T>(w.x()), static_cast<T>(w.y()),
+          static_cast<T>(w.z()), radius};
 }
 
 } // namespace
@@ -190,7 +189,6 @@ template <class T> void TypedStore<T>::full_build(World& world, double dt) {
 
 template <class T> double TypedStore<T>::kick_and_drift(World& world, double dt) {
   Spheres& g = world.grains;
-  places_.resize(g.size());
   motions_.resize(g.size());
   std::size_t const n_chunks = (g.size() + chunk_rows - 1) / chunk_rows;
   bool const has_list = lists_.inner.position.size() == g.size();
@@ -211,7 +209,7 @@ template <class T> double TypedStore<T>::kick_and_drift(World& world, double dt)
         half_kick(g, i, load, open_step_);
       half_kick(g, i, load, dt);
       g.position[i] += dt * g.velocity[i];
-      write_record(g, i, places_[i], motions_[i]);
+      motions_[i] = motion_of<T>(g, i);
       chunk_power += g.mass[i] * world.gravity.dot(g.velocity[i]);
       square_speed = std::max(square_speed, g.velocity[i].squaredNorm());
     }
@@ -253,20 +251,17 @@ template <class T> void TypedStore<T>::evaluate(World& world) {
 }
 
 template <class T> void TypedStore<T>::write_records(World const& world) {
-  places_.resize(world.grains.size());
   motions_.resize(world.grains.size());
   for (std::size_t i = 0; i < world.grains.size(); ++i)
-    write_record(world.grains, i, places_[i], motions_[i]);
+    motions_[i] = motion_of<T>(world.grains, i);
 }
 
 /// Own load first, then the foreign ones in the order of their blocks.
 template <class T> GrainLoad TypedStore<T>::load_of(World const& world, std::uint32_t i) const {
-  ContactBlock<T> const& block = lists_.blocks[i / lists_.block_rows];
-  LoadRecord<T> const& own = block.loads[i - block.first_row];
+  LoadRecord<T> const& own = lists_.own_loads[i];
   Vec3 force(own.fx, own.fy, own.fz), torque(own.tx, own.ty, own.tz);
   for (std::uint32_t h = lists_.halo_start[i]; h < lists_.halo_start[i + 1]; ++h) {
-    std::uint64_t const entry = lists_.halo_entry[h];
-    LoadRecord<T> const& r = lists_.blocks[entry >> 32].loads[entry & 0xffffffffu];
+    LoadRecord<T> const& r = lists_.halo_loads[h];
     force += Vec3(r.fx, r.fy, r.fz);
     torque += Vec3(r.tx, r.ty, r.tz);
   }
@@ -313,8 +308,10 @@ template <class T> void TypedStore<T>::tally_tools(World& world, double dt) cons
 
 template <class T> void TypedStore<T>::sweep(World& world, double dt) {
   SweepInput<T> const input{
-      .places = places_.data(),
+      .grains = world.grains,
       .motions = motions_.data(),
+      .own_loads = lists_.own_loads.data(),
+      .halo_loads = lists_.halo_loads.data(),
       .tools = world.tools,
       .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
                    .clip = choice_.clip_attractive_damping ? T(1) : T(0)},

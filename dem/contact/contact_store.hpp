@@ -72,7 +72,6 @@ private:
   ContactKernel<T> kernel_;
   ContactLists<T> lists_;
   std::vector<WallImpulse> impulses_; ///< of this window, of contacts of lists that are gone
-  std::vector<PlaceRecord> places_;
   std::vector<MotionRecord<T>> motions_;
   bool is_open_ = false;     ///< the grains still lack the loads and half kick of the last sweep
   double open_step_ = 0.0;   ///< [s], of that sweep

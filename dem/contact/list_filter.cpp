@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t max_constants = 16;
 
-/// Appends one contact's constants and memory to the block's streams once their stride is known.
+/// Appends one contact's constants and memory to the block's streams once their length is known.
 template <class T> class StreamWriter {
 public:
   StreamWriter(ContactKernel<T> const& kernel, ContactBlock<T>& block)
@@ -24,7 +24,7 @@ public:
     std::array<double, max_constants> row{};
     kernel_.constants(pair, size, choice, row.data());
     for (int s = 0; s < kernel_.n_constants; ++s)
-      block_.constants[static_cast<std::size_t>(s) * block_.stride + at] =
+      block_.constants[ContactBlock<T>::entry(at, s, kernel_.n_constants)] =
           static_cast<T>(row[static_cast<std::size_t>(s)]);
   }
 
@@ -33,8 +33,7 @@ public:
     for (auto const& c : carried) {
       if (c.partner != partner || c.patch != patch)
         continue;
-      for (int s = 0; s < ContactBlock<T>::n_memory; ++s)
-        block_.memory_stream(s)[at] = c.memory[s];
+      block_.remember(at, c.memory);
       return;
     }
   }
@@ -95,7 +94,6 @@ template <class T> void number_slots(std::vector<RowPair> const& pairs, ContactB
         j < block.end_row ? j - block.first_row
                           : std::lower_bound(begin, block.rows.end(), j) - block.rows.begin());
   }
-  block.loads.resize(block.rows.size());
 }
 
 /// A patch may be followed without search while neither grain nor tool can bring the closest point
@@ -194,10 +192,11 @@ void fill_block(World const& world, ContactKernel<T> const& kernel, ContactChoic
   number_slots(pairs, block);
   list_walls(world, reach, lists, block);
   block.wall_offset = padded<T>(block.n_pairs);
-  block.stride = block.wall_offset + padded<T>(block.walls.size());
+  std::size_t const full = block.wall_offset + padded<T>(block.walls.size());
+  block.n_memory = kernel.has_memory ? 4 : 3;
   // Padding lanes keep a harmless 1 as every constant: they are computed and thrown away.
-  block.constants.assign(block.stride * static_cast<std::size_t>(kernel.n_constants), T(1));
-  block.memory.assign(block.stride * ContactBlock<T>::n_memory, T(0));
+  block.constants.assign(full * static_cast<std::size_t>(kernel.n_constants), T(1));
+  block.memory.assign(full * static_cast<std::size_t>(block.n_memory), T(0));
 
   StreamWriter<T> stream(kernel, block);
   for (std::size_t k = 0; k < block.n_pairs; ++k) {

@@ -21,10 +21,9 @@ inline constexpr std::size_t batch = 64;
 
 /// One batch, one array a component.
 template <class T> struct alignas(64) Batch {
-  double x[batch], y[batch], z[batch],
-      sum[batch]; // separation and radius sum in double: the gap is formed here
+  double x[batch], y[batch], z[batch], unused[batch]; // separation in double: the gap comes from it
   T sx[batch], sy[batch], sz[batch], square_gap[batch], radius_sum[batch];
-  T vx[batch], vy[batch], vz[batch], unused[batch];
+  T vx[batch], vy[batch], vz[batch], radius_rest[batch]; // of both radii
   T wix[batch], wiy[batch], wiz[batch], radius_i[batch];
   T wjx[batch], wjy[batch], wjz[batch], radius_j[batch];
   T fx[batch], fy[batch], fz[batch];
@@ -43,12 +42,12 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
     Lanes<T> velocity[4], spin_i[4], spin_j[4];
     for (std::size_t l = 0; l < 4; ++l) {
       std::uint32_t const i = rows[owner[k + l]], j = rows[partner[k + l]];
-      Lanes<double> const pi = load_lanes(&in.places[i].x);
-      Lanes<double> const pj = load_lanes(&in.places[j].x);
-      place[l] = __builtin_shufflevector(pi - pj, pi + pj, 0, 1, 2, 7);
+      Vec3 const &xi = in.grains.position[i], &xj = in.grains.position[j];
+      place[l] = Lanes<double>{xi[0], xi[1], xi[2], 0.0} - Lanes<double>{xj[0], xj[1], xj[2], 0.0};
       MotionRecord<T> const& mi = in.motions[i];
       MotionRecord<T> const& mj = in.motions[j];
-      velocity[l] = load_lanes(&mi.vx) - load_lanes(&mj.vx);
+      Lanes<T> const vi = load_lanes(&mi.vx), vj = load_lanes(&mj.vx);
+      velocity[l] = __builtin_shufflevector(vi - vj, vi + vj, 0, 1, 2, 7);
       spin_i[l] = load_lanes(&mi.wx);
       spin_j[l] = load_lanes(&mj.wx);
     }
@@ -59,8 +58,8 @@ void gather_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, 
       store_lanes(z + k, quad[2]);
       store_lanes(w + k, quad[3]);
     };
-    spread(place, b.x, b.y, b.z, b.sum);
-    spread(velocity, b.vx, b.vy, b.vz, b.unused);
+    spread(place, b.x, b.y, b.z, b.unused);
+    spread(velocity, b.vx, b.vy, b.vz, b.radius_rest);
     spread(spin_i, b.wix, b.wiy, b.wiz, b.radius_i);
     spread(spin_j, b.wjx, b.wjy, b.wjz, b.radius_j);
   }
@@ -74,7 +73,7 @@ void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std:
   for (std::size_t k = 0; k < n; ++k) {
     WallContact& wall = walls[k];
     Tool const& tool = in.tools[wall.tool];
-    PlaceRecord const& place = in.places[wall.owner];
+    double const radius = in.grains.radius[wall.owner];
     MotionRecord<T> const& motion = in.motions[wall.owner];
     Vec3 shift = tool.displacement, velocity = tool.velocity;
     if (yields) {
@@ -82,8 +81,8 @@ void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std:
       shift += displacement + in.window_time * speed;
       velocity += speed;
     }
-    Vec3 const centre = Vec3(place.x, place.y, place.z) - shift;
-    double distance = 2.0 * place.radius; // nothing there: as far as a partner that does not touch
+    Vec3 const centre = in.grains.position[wall.owner] - shift;
+    double distance = 2.0 * radius; // nothing there: as far as a partner that does not touch
     Vec3 normal = Vec3::UnitZ(), point = centre;
     if (tool.present) {
       if (wall.inside_rim) {
@@ -91,7 +90,7 @@ void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std:
         distance = at.distance, normal = at.normal, point = at.point;
       } else {
         found.clear();
-        tool.surface.find(centre, 1.2 * place.radius, found);
+        tool.surface.find(centre, 1.2 * radius, found);
         for (SurfacePoint const& at : found)
           if (at.patch == wall.patch)
             distance = at.distance, normal = at.normal, point = at.point;
@@ -99,24 +98,24 @@ void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std:
     }
     wall.px = point.x() + shift.x(), wall.py = point.y() + shift.y();
     wall.pz = point.z() + shift.z();
-    Vec3 const separation = (place.radius + distance) * normal;
+    Vec3 const separation = (radius + distance) * normal;
     b.x[k] = separation.x(), b.y[k] = separation.y(), b.z[k] = separation.z();
-    b.sum[k] = 2.0 * place.radius;
     b.vx[k] = motion.vx - static_cast<T>(velocity.x());
     b.vy[k] = motion.vy - static_cast<T>(velocity.y());
     b.vz[k] = motion.vz - static_cast<T>(velocity.z());
     b.wix[k] = motion.wx, b.wiy[k] = motion.wy, b.wiz[k] = motion.wz;
     b.wjx[k] = b.wjy[k] = b.wjz[k] = T(0);
-    b.radius_i[k] = b.radius_j[k] = static_cast<T>(place.radius);
+    b.radius_i[k] = b.radius_j[k] = motion.radius;
+    b.radius_rest[k] = 2 * motion.radius_rest;
   }
 }
 
 /// Lanes beyond the last contact: two points apart, without a gap.
 template <class T> void blank(Batch<T>& b, std::size_t first, std::size_t end) {
   for (std::size_t k = first; k < end; ++k) {
-    b.x[k] = 3.0, b.y[k] = b.z[k] = 0.0, b.sum[k] = 2.0;
+    b.x[k] = 3.0, b.y[k] = b.z[k] = 0.0;
     b.vx[k] = b.vy[k] = b.vz[k] = b.wix[k] = b.wiy[k] = b.wiz[k] = b.wjx[k] = b.wjy[k] = b.wjz[k] =
-        T(0);
+        b.radius_rest[k] = T(0);
     b.radius_i[k] = b.radius_j[k] = T(1);
   }
 }
@@ -124,15 +123,17 @@ template <class T> void blank(Batch<T>& b, std::size_t first, std::size_t end) {
 template <class T> void form_gaps(Batch<T>& b, std::size_t n) {
   for (std::size_t k = 0; k < n; ++k) {
     double const square = b.x[k] * b.x[k] + b.y[k] * b.y[k] + b.z[k] * b.z[k];
-    b.square_gap[k] = static_cast<T>(b.sum[k] * b.sum[k] - square);
+    double const sum = static_cast<double>(b.radius_i[k]) + static_cast<double>(b.radius_j[k]) +
+                       static_cast<double>(b.radius_rest[k]);
+    b.square_gap[k] = static_cast<T>(sum * sum - square);
     b.sx[k] = static_cast<T>(b.x[k]);
     b.sy[k] = static_cast<T>(b.y[k]);
     b.sz[k] = static_cast<T>(b.z[k]);
-    b.radius_sum[k] = static_cast<T>(b.sum[k]);
+    b.radius_sum[k] = static_cast<T>(sum);
   }
 }
 
-/// Constants of a law from consecutive streams.
+/// Constants of a law, `stride` numbers apart.
 template <class C, class N, class T, std::size_t... S>
 C load_constants(T const* at, std::size_t stride, std::index_sequence<S...>) {
   [[maybe_unused]] auto const load = [&](std::size_t s) {
@@ -166,18 +167,19 @@ template <class Model, class T>
                                      std::size_t at, SweepInput<T> const& in,
                                      std::array<Pack<T>, 3>& power) {
   using N = Pack<T>;
+  constexpr std::size_t lanes = pack_size<T>;
+  constexpr std::size_t n_memory = Model::has_memory ? 4 : 3;
   constexpr auto aligned = std::experimental::element_aligned;
   N const dt(static_cast<T>(in.dt));
   ModelSwitches<N> const switches{N(in.switches.cohesion_in_limit), N(in.switches.clip)};
   for (std::size_t k = 0; k < n; k += pack_size<T>) {
     N const square_gap(b.square_gap + k, aligned);
-    T* const m = block.memory.data() + at + k;
+    T* const m = block.memory.data() + (at + k) * n_memory;
     ContactMemory<N> memory{};
     if constexpr (Model::has_spring)
-      memory.spring = {N(m, aligned), N(m + block.stride, aligned),
-                       N(m + 2 * block.stride, aligned)};
+      memory.spring = {N(m, aligned), N(m + lanes, aligned), N(m + 2 * lanes, aligned)};
     if constexpr (Model::has_memory)
-      memory.normal = N(m + 3 * block.stride, aligned);
+      memory.normal = N(m + 3 * lanes, aligned);
     ContactInput<N> const input{
         .separation = {N(b.sx + k, aligned), N(b.sy + k, aligned), N(b.sz + k, aligned)},
         .square_gap = square_gap,
@@ -187,17 +189,17 @@ template <class Model, class T>
         .velocity = {N(b.vx + k, aligned), N(b.vy + k, aligned), N(b.vz + k, aligned)},
         .spin_i = {N(b.wix + k, aligned), N(b.wiy + k, aligned), N(b.wiz + k, aligned)},
         .spin_j = {N(b.wjx + k, aligned), N(b.wjy + k, aligned), N(b.wjz + k, aligned)}};
-    auto const constants =
-        load_model_constants<Model, N>(block.constants.data() + at + k, block.stride);
+    auto const constants = load_model_constants<Model, N>(
+        block.constants.data() + (at + k) * Model::n_constants, lanes);
     ContactOutput<N> const out = Model::evaluate(input, constants, switches, dt, memory);
     if (in.dt > 0.0) {
       if constexpr (Model::has_spring) {
         memory.spring.x.copy_to(m, aligned);
-        memory.spring.y.copy_to(m + block.stride, aligned);
-        memory.spring.z.copy_to(m + 2 * block.stride, aligned);
+        memory.spring.y.copy_to(m + lanes, aligned);
+        memory.spring.z.copy_to(m + 2 * lanes, aligned);
       }
       if constexpr (Model::has_memory)
-        memory.normal.copy_to(m + 3 * block.stride, aligned);
+        memory.normal.copy_to(m + 3 * lanes, aligned);
     }
     out.force.x.copy_to(b.fx + k, aligned);
     out.force.y.copy_to(b.fy + k, aligned);
@@ -221,10 +223,10 @@ template <class T> void add(LoadRecord<T>& record, Lanes<T> force, Lanes<T> torq
 }
 
 template <class T>
-void scatter_pairs(Batch<T> const& b, ContactBlock<T>& block, std::size_t first, std::size_t n) {
+void scatter_pairs(Batch<T> const& b, ContactBlock<T> const& block, std::size_t first,
+                   std::size_t n, LoadRecord<T>* loads) {
   std::uint16_t const* const owner = block.owner.data() + first;
   std::uint16_t const* const partner = block.partner.data() + first;
-  LoadRecord<T>* const loads = block.loads.data();
   for (std::size_t k = 0; k < n; k += 4) {
     Lanes<T> zero = {};
     Lanes<T> f[4] = {load_lanes(b.fx + k), load_lanes(b.fy + k), load_lanes(b.fz + k), zero};
@@ -243,9 +245,9 @@ void scatter_pairs(Batch<T> const& b, ContactBlock<T>& block, std::size_t first,
 
 template <class T>
 void scatter_walls(Batch<T> const& b, std::size_t n, WallContact* walls, WallYield* yields,
-                   double dt, ContactBlock<T>& block) {
+                   double dt, std::uint32_t first_row, LoadRecord<T>* loads) {
   for (std::size_t k = 0; k < n; ++k) {
-    LoadRecord<T>& r = block.loads[walls[k].owner - block.first_row];
+    LoadRecord<T>& r = loads[walls[k].owner - first_row];
     r.fx += b.fx[k], r.fy += b.fy[k], r.fz += b.fz[k];
     r.tx += b.tix[k], r.ty += b.tiy[k], r.tz += b.tiz[k];
     walls[k].fx = b.fx[k], walls[k].fy = b.fy[k], walls[k].fz = b.fz[k];
@@ -258,14 +260,16 @@ void scatter_walls(Batch<T> const& b, std::size_t n, WallContact* walls, WallYie
 template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
   Batch<T> b;
   std::array<Pack<T>, 3> power{Pack<T>(0), Pack<T>(0), Pack<T>(0)};
-  std::fill(block.loads.begin(), block.loads.end(), LoadRecord<T>{});
+  // Of each slot; it stays in the cache from block to block.
+  thread_local LineVector<LoadRecord<T>> loads;
+  loads.assign(block.rows.size(), LoadRecord<T>{});
   for (std::size_t k = 0; k < block.n_pairs; k += batch) {
     std::size_t const n = std::min(batch, block.n_pairs - k), full = padded<T>(n);
     gather_pairs(b, block, k, (n + 3) / 4 * 4, in);
     blank(b, n, full);
     form_gaps(b, full);
     evaluate_batch<Model>(b, full, block, k, in, power);
-    scatter_pairs(b, block, k, n);
+    scatter_pairs(b, block, k, n, loads.data());
   }
   std::vector<SurfacePoint> found;
   for (std::size_t k = 0; k < block.walls.size(); k += batch) {
@@ -275,8 +279,11 @@ template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T>
     blank(b, n, full);
     form_gaps(b, full);
     evaluate_batch<Model>(b, full, block, block.wall_offset + k, in, power);
-    scatter_walls(b, n, block.walls.data() + k, yields, in.dt, block);
+    scatter_walls(b, n, block.walls.data() + k, yields, in.dt, block.first_row, loads.data());
   }
+  std::copy_n(loads.data(), block.n_rows(), in.own_loads + block.first_row);
+  for (std::size_t s = block.n_rows(); s < loads.size(); ++s)
+    in.halo_loads[block.halo_place[s - block.n_rows()]] = loads[s];
   auto const sum = [](Pack<T> const& p) {
     double total = 0.0;
     for (std::size_t l = 0; l < pack_size<T>; ++l)
