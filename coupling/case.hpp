@@ -60,11 +60,11 @@ struct Tooling {
 };
 
 enum class StageKind { move, hold, release, free };
-enum class Limit { time, gap, force };
+enum class Limit { time, gap, force, flush };
 
 /// One phase of the press programme.
 ///  - move: the tool moves with `speed` (positive up) until the limit; `force` stops when the tool
-///  carries that force
+///  carries that force, `flush` when the lower punch's face is level with the die's rim: ejection
 ///  - hold: the tools stand still for `duration`; or the servo keeps `force` on the tool for
 ///  `duration`
 ///  - release: the named tools vanish at once (duration 0)

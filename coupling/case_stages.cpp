@@ -45,7 +45,10 @@ private:
       read_.refuse(at_ + "Speed",
                    "moves nothing. Give it a speed, positive up, or choose Kind = hold?");
     until_ = read_.choice(at_ + "Until");
-    stage_.until = until_ == "gap" ? Limit::gap : until_ == "force" ? Limit::force : Limit::time;
+    stage_.until = until_ == "gap"     ? Limit::gap
+                   : until_ == "force" ? Limit::force
+                   : until_ == "flush" ? Limit::flush
+                                       : Limit::time;
     stage_.duration = read_.number(at_ + "Duration");
     if (stage_.until == Limit::time)
       need_positive("Duration", stage_.duration, "a move until a time needs one");

@@ -89,6 +89,9 @@ void PressCycle::step() {
 
   double const force = squeezing_force(tool_named(world, "upper_punch"));
   tally.max_force = std::max(tally.max_force, force);
+  if (press_.programme.stage().until == Limit::flush)
+    tally.ejection_force =
+        std::fmax(tally.ejection_force, squeezing_force(tool_named(world, "lower_punch")));
   tally.smallest_gap = std::min(tally.smallest_gap, punch_gap(world, press_.programme.faces()));
   tally.smallest_step = std::min(tally.smallest_step, dt);
   // Velocity Verlet gives the grains the mean of the forces at both ends of the step.

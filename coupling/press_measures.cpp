@@ -17,7 +17,8 @@ double floor_of(Press const& press) {
   return tool_named(press.world, "lower_punch").displacement.z() + press.programme.faces().lower;
 }
 
-/// Grains that are wholly outside the die, or wholly behind a punch, of the tools that are present.
+/// Grains that are wholly outside the die (below its rim), or wholly behind a punch, of the tools
+/// that are present.
 double count_outside(Press const& press) {
   dem::Spheres const& grains = press.world.grains;
   double const bore = 0.5 * press.setup.tooling.bore_diameter;
@@ -28,11 +29,13 @@ double count_outside(Press const& press) {
     return 0.0; // on the open punch a grain may roll off
   double const top = upper.displacement.z() + press.programme.faces().upper;
   double const bottom = floor_of(press);
+  double const rim = die.displacement.z() + rim_height(die);
   auto const is_outside = [&](std::size_t i) {
     dem::Vec3 const& x = grains.position[i];
     double const R = grains.radius[i];
-    return std::hypot(x.x() - die.displacement.x(), x.y() - die.displacement.y()) > bore + R ||
-           (lower.present && x.z() < bottom - R) || (upper.present && x.z() > top + R);
+    double const r = std::hypot(x.x() - die.displacement.x(), x.y() - die.displacement.y());
+    return (r > bore + R && x.z() < rim) || (lower.present && x.z() < bottom - R) ||
+           (upper.present && x.z() > top + R);
   };
   double n = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
@@ -42,9 +45,10 @@ double count_outside(Press const& press) {
 
 /// Mean radial pressure on the bore where grains stand against it.
 double radial_pressure(Press const& press, double bed_height, double compact_height) {
-  double const height = std::min(bed_height, compact_height);
-  double const area = dem::pi * press.setup.tooling.bore_diameter * height;
   dem::Tool const& die = tool_named(press.world, "die");
+  double const in_die = die.displacement.z() + rim_height(die) - floor_of(press);
+  double const height = std::min({bed_height, compact_height, in_die});
+  double const area = dem::pi * press.setup.tooling.bore_diameter * height;
   return die.present && area > 0.0 ? die.radial_force / area : 0.0;
 }
 

@@ -60,6 +60,13 @@ double punch_gap(dem::World const& world, PunchFaces const& faces) {
   return upper - lower;
 }
 
+double rim_height(dem::Tool const& die) {
+  double height = -unbounded;
+  for (dem::Vec3 const& vertex : die.surface.triangles().vertices)
+    height = std::max(height, vertex.z());
+  return height;
+}
+
 dem::Tool const& tool_named(dem::World const& world, std::string_view name) {
   return find_tool(world.tools, name);
 }
@@ -112,14 +119,26 @@ double PressProgramme::planned_length(dem::World const& world) const {
     return s.duration;
   if (s.until == Limit::force)
     return limit;
+  if (s.until == Limit::flush) {
+    dem::Tool const& die = tool_named(world, "die");
+    double const face = tool_named(world, "lower_punch").displacement.z() + faces_.lower;
+    return length_until(rim_height(die) + die.displacement.z() - face, ejection_rate(s),
+                        "the die's rim");
+  }
   double const gap = commanded_gap(world);
-  double const length = (s.gap - gap) / gap_rate(s);
+  return length_until(s.gap - gap, gap_rate(s), fmt::format("a gap of {:.6g} m", s.gap));
+}
+
+double PressProgramme::length_until(double distance, double rate, std::string_view aim) const {
+  Stage const& s = stage();
+  double const length = distance / rate;
+  double const limit = s.duration > 0.0 ? s.duration : unbounded;
   if (length >= 0.0 && length <= limit * (1.0 + rounding))
     return length;
-  throw dem::PhysicsGuard(fmt::format("stage '{}': a gap of {:.6g} m is not reached from {:.6g} m "
-                                      "at {:.6g} m/s within {:.6g} s. Give it more time, "
-                                      "or turn the speed's sign?",
-                                      s.name, s.gap, gap, s.speed, limit));
+  throw dem::PhysicsGuard(fmt::format("stage '{}': {} is not reached over {:.6g} m at {:.6g} m/s "
+                                      "within {:.6g} s. Give it more time, or turn the speed's "
+                                      "sign?",
+                                      s.name, aim, distance, s.speed, limit));
 }
 
 void PressProgramme::plan_steps(dem::World const& world) {
@@ -175,7 +194,11 @@ double PressProgramme::command_step(dem::World& world) {
   }
   for (dem::Tool& tool : world.tools)
     tool.velocity = dem::Vec3(0.0, 0.0, drives(s, tool.name) ? speed : 0.0);
-  tool_named(world, "upper_punch").velocity.z() += frame_.speed();
+  dem::Tool& upper = tool_named(world, "upper_punch");
+  upper.velocity.z() += frame_.speed();
+  // A released punch goes along with the other, so that their gap stays what it was.
+  if (!upper.present)
+    upper.velocity = tool_named(world, "lower_punch").velocity;
   return step_;
 }
 

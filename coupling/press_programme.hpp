@@ -22,6 +22,9 @@ struct PunchFaces {
 /// Distance of the punch faces as they are [m]; kept when a punch has been released.
 double punch_gap(dem::World const& world, PunchFaces const& faces);
 
+/// Height of the die's rim in its own frame [m].
+double rim_height(dem::Tool const& die);
+
 /// The tool of that name. @throws std::out_of_range if there is none
 dem::Tool& tool_named(dem::World& world, std::string_view name);
 dem::Tool const& tool_named(dem::World const& world, std::string_view name);
@@ -35,6 +38,9 @@ bool drives(Stage const& stage, std::string_view tool);
 
 /// d gap / dt of a motion [m/s], positive when it opens.
 double gap_rate(Stage const& stage);
+
+/// Speed of the lower punch's face towards the die's rim [m/s], positive when it ejects.
+double ejection_rate(Stage const& stage);
 
 /// Refuses stages that cannot be run: none at all, an unknown or missing tool, a second use of a
 /// released tool, a motion that leads away from its limit, punches that would meet.
@@ -119,6 +125,7 @@ public:
 private:
   void plan_steps(dem::World const& world);
   double planned_length(dem::World const& world) const;
+  double length_until(double distance, double rate, std::string_view aim) const;
   bool force_reached(dem::World const& world) const;
 
   std::vector<Stage> stages_;

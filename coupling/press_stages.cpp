@@ -68,6 +68,8 @@ private:
   void move(Stage const& stage) {
     if (stage.speed == 0.0 || !std::isfinite(stage.speed))
       refuse(stage, "a motion needs a speed other than 0. Is it a hold?");
+    if (stage.until == Limit::flush)
+      return eject(stage);
     if (stage.until != Limit::gap) {
       if (stage.until == Limit::time)
         check_duration(stage);
@@ -85,7 +87,18 @@ private:
     move_gap(stage, stage.gap);
   }
 
+  void eject(Stage const& stage) {
+    if (!(ejection_rate(stage) > 0.0))
+      refuse(stage, "it brings the lower punch no nearer to the die's rim. Move lower_punch up, or "
+                    "the die down?");
+    if (gap_rate(stage) < 0.0 && !released_.contains("upper_punch"))
+      refuse(stage, "the upper punch is in the compact's way. Release it first?");
+    gap_ = unknown;
+  }
+
   void move_gap(Stage const& stage, double gap) {
+    if (released_.contains("upper_punch") || released_.contains("lower_punch"))
+      gap = unknown;
     if (gap <= 0.0)
       refuse(stage, fmt::format("the punches meet (gap {:.6g} m at its end, {:.6g} m at its "
                                 "start). Shorten the stroke?",
@@ -121,6 +134,10 @@ double gap_rate(Stage const& stage) {
   return stage.speed * (int(drives(stage, "upper_punch")) - int(drives(stage, "lower_punch")));
 }
 
+double ejection_rate(Stage const& stage) {
+  return stage.speed * (int(drives(stage, "lower_punch")) - int(drives(stage, "die")));
+}
+
 void validate_stages(std::span<Stage const> stages, double fill_height) {
   VALIDATE(
       !stages.empty(),
@@ -140,6 +157,8 @@ std::vector<double> expected_lengths(std::span<Stage const> stages, double fill_
       length = std::max((stage.gap - gap) / rate, 0.0);
     if (rate != 0.0 && stage.until == Limit::force && length == 0.0)
       length = gap / std::abs(rate);
+    if (stage.until == Limit::flush && length == 0.0)
+      length = fill_height / ejection_rate(stage);
     gap = std::max(gap + rate * length, 0.0);
     lengths.push_back(length);
   }

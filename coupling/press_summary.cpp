@@ -1,6 +1,7 @@
 #include "coupling/elastic/tool_stress.hpp"
 #include "coupling/press_guards.hpp"
 #include "coupling/press_measures.hpp"
+#include "coupling/press_tools.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -98,6 +99,7 @@ Summary summarise(Press const& press) {
   dem::World const& world = press.world;
   Summary summary;
   summary.max_force = tally.max_force;
+  summary.ejection_force = tally.ejection_force;
   summary.porosity = tally.porosity;
   summary.porosity_core = tally.porosity_core;
   summary.compact_height = tally.compact_height;
@@ -121,6 +123,8 @@ Summary summarise(Press const& press) {
                                 ? rigid
                                 : tool_stress(press.coupling.tool(t), press.coupling.peak_load(t),
                                               press.setup.elastic.cell_size));
+    if (!press.coupling.is_rigid())
+      summary.tools.back().contact_share = tool_share(press.setup);
   }
   return summary;
 }

@@ -10,9 +10,10 @@ namespace coupling {
 struct PressTally {
   static constexpr double not_reached = std::numeric_limits<double>::quiet_NaN();
 
-  double max_force = 0.0;      ///< [N], on the upper punch, over every step
-  double recorded_force = 0.0; ///< [N], the largest in a record
-  double seen_peak = 0.0;      ///< [N], max_force at the newest record
+  double max_force = 0.0;              ///< [N], on the upper punch, over every step
+  double recorded_force = 0.0;         ///< [N], the largest in a record
+  double seen_peak = 0.0;              ///< [N], max_force at the newest record
+  double ejection_force = not_reached; ///< [N], largest on the lower punch in stages until flush
   double smallest_gap = std::numeric_limits<double>::infinity();  ///< [m]
   double smallest_step = std::numeric_limits<double>::infinity(); ///< [s]
   double max_relative_overlap = 0.0;                              ///< [1], over the records
@@ -56,6 +57,7 @@ template <class Field> void PressTally::visit_state(Field&& field) {
   field("tally/max_force", max_force);
   field("tally/recorded_force", recorded_force);
   field("tally/seen_peak", seen_peak);
+  field("tally/ejection_force", ejection_force);
   field("tally/smallest_gap", smallest_gap);
   field("tally/smallest_step", smallest_step);
   field("tally/max_relative_overlap", max_relative_overlap);

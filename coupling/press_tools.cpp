@@ -114,6 +114,17 @@ PunchFaces starting_faces(Case const& setup) {
   return {.lower = 0.0, .upper = setup.powder.fill_height};
 }
 
+double tool_share(Case const& setup) {
+  auto const compliance = [](dem::Material const& m) {
+    return (1.0 - m.poisson_ratio * m.poisson_ratio) / m.young_modulus;
+  };
+  double const tool = compliance(setup.tooling.material);
+  double share = 0.0;
+  for (Component const& component : setup.powder.components)
+    share = std::max(share, tool / (tool + compliance(component.material)));
+  return share;
+}
+
 std::vector<dem::Tool> make_tools(Case const& setup, std::uint8_t material) {
   auto const named = [&](std::string name, dem::SmoothSurface surface) {
     return dem::Tool{.name = std::move(name), .surface = std::move(surface), .material = material};

@@ -20,6 +20,12 @@ namespace coupling {
 /// @throws dem::InvalidInput if a file cannot be used or its size contradicts the case
 std::vector<dem::Tool> make_tools(Case const& setup, std::uint8_t material);
 
+/// Share of the compliance of a contact with a tool that the contact law gives to the tool [1],
+///   (1 - nu_t^2)/E_t / ((1 - nu_t^2)/E_t + (1 - nu_g^2)/E_g),
+/// the largest over the powder's components. The body of a deformable tool is indented as well, so
+/// this part of the contact counts twice.
+double tool_share(Case const& setup);
+
 /// Where the punch faces are at the start.
 PunchFaces starting_faces(Case const& setup);
 

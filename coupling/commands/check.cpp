@@ -1,6 +1,7 @@
 #include "coupling/commands/commands.hpp"
 #include "coupling/commands/execute.hpp"
 #include "coupling/press_set_up.hpp"
+#include "coupling/press_tools.hpp"
 #include "dem/step/advance.hpp"
 
 #include <fmt/format.h>
@@ -71,6 +72,16 @@ void describe_grains(Press const& press) {
 }
 
 void describe_tools(Press const& press) {
+  for (std::size_t t = 0; t < press.coupling.n_tools(); ++t) {
+    YieldingTool const& tool = press.coupling.tool(t);
+    say(tool.name + ", elastic",
+        fmt::format("{} nodes that grains press, gives {:.3g} um/kN", tool.pressure_loads.cols(),
+                    1e9 * tool.uniform_compliance));
+  }
+  if (!press.coupling.is_rigid())
+    say("of a contact's give, twice", fmt::format("{:.2g} % (the contact law gives it to the tool, "
+                                                  "whose body is dented as well)",
+                                                  100.0 * tool_share(press.setup)));
   for (dem::Tool const& tool : press.world.tools)
     say(tool.name,
         fmt::format("{} triangles, {} smooth patches", tool.surface.triangles().triangles.size(),

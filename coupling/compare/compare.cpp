@@ -47,6 +47,7 @@ void add_values_of_curve(Source& source, std::optional<ForceCurve> const& curve)
     return found;
   };
   add("max_force", largest("upper_punch_force"));
+  add("max_wall_pressure", largest("wall_radial_pressure"));
   add("max_mean_overlap", largest("mean_overlap"));
   auto const height = source.values.find("compact_height");
   auto const gap = source.values.find("smallest_gap");
@@ -60,6 +61,8 @@ std::vector<QuantityRow> kinds(Tolerances const& t) {
     return QuantityRow{name, words, unit, tolerance, is_relative, {}, {}, {}, {}};
   };
   return {row("max_force", "largest punch force", "N", t.force, true),
+          row("max_wall_pressure", "largest wall pressure", "Pa", t.force, true),
+          row("ejection_force", "ejection force", "N", t.force, true),
           row("smallest_gap", "smallest gap", "m", t.gap, true),
           row("compact_height", "compact height", "m", t.height, true),
           row("springback", "springback", "1", t.springback, false),

@@ -66,6 +66,7 @@ std::map<std::string, SourceValue> values_of(Summary const& s) {
       values[name] = {value};
   };
   add("max_force", s.max_force);
+  add("ejection_force", s.ejection_force);
   add("porosity", s.porosity);
   add("porosity_core", s.porosity_core);
   add("compact_height", s.compact_height);

@@ -56,14 +56,16 @@ struct ToolSummary {
   dem::Vec3 where = dem::Vec3::Constant(none); ///< [m], of that stress
   double valid_below_depth = none; ///< [m], stresses nearer to the surface are not resolved
   double yield_utilisation = none; ///< [1], largest stress / yield stress
+  double contact_share = none;     ///< [1], see tool_share()
 };
 
 /// Single numbers of a run: what summary.json holds. A value that the run did not reach (no release
 /// yet) is NaN and written as null.
 struct Summary {
-  double max_force = 0.0;        ///< [N]
-  double porosity = 0.0;         ///< [1], the seed's
-  double porosity_core = 0.0;    ///< [1]
+  double max_force = 0.0;                                           ///< [N]
+  double ejection_force = std::numeric_limits<double>::quiet_NaN(); ///< [N], of stages until flush
+  double porosity = 0.0;                                            ///< [1], the seed's
+  double porosity_core = 0.0;                                       ///< [1]
   double compact_height = 0.0;   ///< [m], where the porosity was taken
   double springback = 0.0;       ///< [1], (compact height - smallest gap) / smallest gap
   int shape_quality = 0;         ///< 1 to 5; 0 = not reached

@@ -55,6 +55,8 @@ void write_summary_values(H5Writer& file, Summary const& summary) {
     file.describe("summary/" + name, unit, description);
   };
   value("max_force", summary.max_force, "N", "largest force on the upper punch");
+  value("ejection_force", summary.ejection_force, "N",
+        "largest force on the lower punch while it pushes the compact out");
   value("porosity", summary.porosity, "1", "voids / compact volume, the seed's definition");
   value("porosity_core", summary.porosity_core, "1", "porosity of the inner cylinder");
   value("compact_height", summary.compact_height, "m", "highest minus lowest grain surface");

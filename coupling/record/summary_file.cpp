@@ -39,6 +39,7 @@ Json to_json(ToolSummary const& tool) {
     json["where_m"] = {tool.where.x(), tool.where.y(), tool.where.z()};
   json["valid_below_depth_m"] = number(tool.valid_below_depth);
   json["yield_utilisation"] = number(tool.yield_utilisation);
+  json["contact_share"] = number(tool.contact_share);
   return json;
 }
 
@@ -49,12 +50,14 @@ ToolSummary tool_from(Json const& json) {
     tool.where = {where.at(0).get<double>(), where.at(1).get<double>(), where.at(2).get<double>()};
   tool.valid_below_depth = number(json.at("valid_below_depth_m"));
   tool.yield_utilisation = number(json.at("yield_utilisation"));
+  tool.contact_share = number(json.value("contact_share", Json(nullptr)));
   return tool;
 }
 
 Summary summary_from(Json const& json) {
   Summary summary;
   summary.max_force = number(json.at("max_force_N"));
+  summary.ejection_force = number(json.value("ejection_force_N", Json(nullptr)));
   summary.porosity = number(json.at("porosity"));
   summary.porosity_core = number(json.at("porosity_core"));
   summary.compact_height = number(json.at("compact_height_m"));
@@ -81,6 +84,7 @@ Summary summary_from(Json const& json) {
 std::string summary_json(Summary const& summary) {
   Json json;
   json["max_force_N"] = number(summary.max_force);
+  json["ejection_force_N"] = number(summary.ejection_force);
   json["porosity"] = number(summary.porosity);
   json["porosity_core"] = number(summary.porosity_core);
   json["compact_height_m"] = number(summary.compact_height);

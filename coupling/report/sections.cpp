@@ -128,6 +128,7 @@ std::string run_in_words(ReportData const& data) {
 std::string summary_html(Summary const& s) {
   std::vector<TableRow> const rows = {
       {{{"Largest punch force"}, number(s.max_force, "N")}, ""},
+      {{{"Ejection force"}, number(s.ejection_force, "N")}, ""},
       {{{"Compact height"}, number(s.compact_height, "m")}, ""},
       {{{"Springback"}, {percent(s.springback), true}}, ""},
       {{{"Porosity"}, {percent(s.porosity), true}}, ""},
@@ -172,15 +173,23 @@ std::string tools_html(std::span<ToolSummary const> tools) {
           {place, true},
           number(t.valid_below_depth, "m", 3),
           {std::isfinite(t.yield_utilisation) ? percent(t.yield_utilisation) : "no strength given",
-           true}},
+           true},
+          {percent(t.contact_share), true}},
          ""});
   }
   if (rows.empty())
     return "";
-  std::vector<std::string> const header = {"Tool at the peak", "Largest von Mises stress", "Where",
-                                           "Independent of single contacts below", "Of yield"};
+  std::vector<std::string> const header = {"Tool at the peak",
+                                           "Largest von Mises stress",
+                                           "Where",
+                                           "Independent of single contacts below",
+                                           "Of yield",
+                                           "Of a contact's give, twice"};
   return "<section class=\"card\" id=\"tools\"><h2>Stress of the tools</h2>" +
-         table_html(header, rows) + "</section>";
+         table_html(header, rows) +
+         "<p class=\"quiet\">The last column is the share of a wall contact's compliance that the "
+         "contact law already gives to the tool (Tooling/Young's modulus); where grains dent the "
+         "elastic body as well, it counts twice.</p></section>";
 }
 
 std::string comparison_html(std::span<ComparedValue const> compared) {

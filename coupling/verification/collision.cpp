@@ -37,6 +37,31 @@ std::vector<Benchmark> elastic_pair(std::string const& name, dem::Precision prec
               "conservation of energy")};
 }
 
+/// A steel ball of 5 mm meets a half-space of steel, and a rigid one, at 0.1 m/s.
+std::vector<Benchmark> ball_on_half_space() {
+  struct Row {
+    char const* name;
+    double wall_modulus, depth, force, duration; // [Pa], [m], [N], [s]
+  };
+  std::vector<Benchmark> rows;
+  for (auto const& [name, wall_modulus, depth, force, duration] :
+       {Row{"steel", 200e9, 1.897e-6, 27.08, 55.85e-6},
+        Row{"rigid", 200e18, 1.438e-6, 35.73, 42.32e-6}}) {
+    ImpactSetup setup{.recipe = smooth(1.0, dem::Precision::full),
+                      .radius = 5e-3,
+                      .velocity = dem::Vec3(0, 0, -0.1)};
+    setup.recipe.grain = {"steel", 7850.0, 200e9, 0.3};
+    setup.recipe.wall = {"half-space", 7850.0, wall_modulus, 0.3};
+    ImpactResult const found = collide(setup);
+    std::string const row = std::string("half_space/") + name;
+    // The references have four digits.
+    rows.push_back(compare(row + "/max_overlap", depth, found.max_overlap, 5e-4, johnson));
+    rows.push_back(compare(row + "/max_force", force, found.max_force, 5e-4, johnson));
+    rows.push_back(compare(row + "/duration", duration, found.duration, 5e-4, johnson));
+  }
+  return rows;
+}
+
 /// Restitution realised by velocity Verlet at three steps: an alumina grain of 0.25 mm meets a
 /// magnesia grain of 1.5 mm at 0.2 m/s from 1 um away. The deviation from 0.5 is the integrator's,
 /// and belongs to the step.
@@ -95,6 +120,7 @@ std::vector<Experiment> collision_experiments() {
   // 4000 steps a contact: velocity Verlet leaves about 1e-6, touch between steps about as much.
   return {{"hertz/full", [] { return elastic_pair("hertz/full", dem::Precision::full, 1e-5); }},
           {"hertz/mixed", [] { return elastic_pair("hertz/mixed", dem::Precision::mixed, 1e-4); }},
+          {"half_space", ball_on_half_space},
           {"hertz_damping", restitution_at_step},
           {"hooke", hooke}};
 }

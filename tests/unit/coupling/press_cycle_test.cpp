@@ -149,6 +149,54 @@ TEST(PressCycle, APressThatKeepsItsDieIsMeasuredWhereItEnds) {
   EXPECT_TRUE(std::isfinite(summarise(press).porosity));
 }
 
+TEST(PressCycle, TheLowerPunchPushesTheCompactOutAgainstTheWallsFriction) {
+  ScratchFolder scratch;
+  auto const eject = [&](char const* friction, char const* folder) {
+    Case setup = tiny::read(
+        {std::string("Contact/Particle-wall/Coefficient of static friction=") + friction});
+    setup.stages.resize(2);
+    setup.stages.push_back({.name = "open", .kind = StageKind::release, .tools = {"upper_punch"}});
+    setup.stages.push_back({.name = "ejection",
+                            .kind = StageKind::move,
+                            .tools = {"lower_punch"},
+                            .speed = 0.4,
+                            .until = Limit::flush});
+    auto press = set_up_press(setup);
+    EXPECT_EQ(tiny::run(press, scratch / folder), RunEnd::finished);
+    EXPECT_NEAR(tool_named(press.world, "lower_punch").displacement.z(), 8e-3, 1e-12);
+    return press;
+  };
+  // Rows with the whole compact below the rim: at the rim a grain leans on its edge.
+  auto const rows_inside = [](PressRecord const& record) {
+    std::vector<std::size_t> rows;
+    double start = 0.0;
+    for (std::size_t row = 0; row < record.size(); ++row) {
+      if (record.stages()[row] != "ejection")
+        start = at(record, "time", row);
+      else if (0.4 * (at(record, "time", row) - start) + at(record, "compact_height", row) < 8e-3)
+        rows.push_back(row);
+    }
+    return rows;
+  };
+  auto const rough = eject("0.3", "rough");
+  auto const& record = rough.record;
+  double largest = 0.0, most_mobilised = 0.0;
+  for (std::size_t const row : rows_inside(record)) {
+    double const normal = at(record, "wall_radial_pressure", row) * dem::pi * 6e-3 *
+                          at(record, "compact_height", row);
+    double const friction = -at(record, "wall_axial_force", row);
+    EXPECT_LE(friction, 0.3 * normal * (1.0 + 1e-6));
+    most_mobilised = std::max(most_mobilised, friction / (0.3 * normal));
+    largest = std::max(largest, at(record, "lower_punch_force", row));
+  }
+  EXPECT_GT(most_mobilised, 0.9); // everything slides
+  EXPECT_GE(summarise(rough).ejection_force, largest);
+  auto const smooth = eject("0", "smooth");
+  for (std::size_t const row : rows_inside(smooth.record))
+    EXPECT_NEAR(at(smooth.record, "wall_axial_force", row), 0.0, 1e-9);
+  EXPECT_TRUE(std::isnan(summarise(cycle().press).ejection_force)); // nothing was pushed out
+}
+
 TEST(PressCycle, AServoHoldsTheForceOfABedOfGrains) {
   ScratchFolder scratch;
   // The bed gives about 1e4 N/m and weighs 0.3 g: tau = 4 sqrt(m/k) = 0.7 ms, and the loop settles

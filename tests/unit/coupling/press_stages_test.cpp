@@ -79,6 +79,15 @@ TEST(PressStages, RefusesWhatCannotBeRun) {
                  "duration of -1 s");
   expect_refused({release({"upper_punch"}), press_to_gap(8e-3)},
                  "was released by an earlier stage");
+  Stage const eject{.name = "ejection",
+                    .kind = StageKind::move,
+                    .tools = {"lower_punch"},
+                    .speed = 0.2,
+                    .until = Limit::flush};
+  EXPECT_EQ(refusal({release({"upper_punch"}), eject}), "accepted");
+  expect_refused({eject}, "in the compact's way");
+  expect_refused({release({"upper_punch"}), changed(eject, [](Stage& s) { s.speed = -0.2; })},
+                 "no nearer to the die's rim");
   expect_refused({keep_force(0.0, 1e-3)}, "force above 0 N");
   expect_refused({changed(keep_force(5.0, 1e-3), [](Stage& s) { s.tools = {"die"}; })},
                  "not the die");
