@@ -59,7 +59,13 @@ struct Tooling {
   dem::Material material{"wall", 8000.0, 200e6, 0.29};
 };
 
-enum class StageKind { move, hold, release, free };
+/// Gap of the punch faces over the time since a stage began.
+struct GapPath {
+  std::vector<double> time; ///< [s], from 0, increasing
+  std::vector<double> gap;  ///< [m], > 0
+};
+
+enum class StageKind { move, hold, release, free, follow };
 enum class Limit { time, gap, force, flush };
 
 /// One phase of the press programme.
@@ -69,6 +75,7 @@ enum class Limit { time, gap, force, flush };
 ///  `duration`
 ///  - release: the named tools vanish at once (duration 0)
 ///  - free: nothing is driven for `duration`
+///  - follow: one punch keeps the gap at that of `path`, straight from point to point
 struct Stage {
   std::string name; ///< unique, e.g. "loading"
   StageKind kind = StageKind::move;
@@ -79,6 +86,9 @@ struct Stage {
   double gap = 0.0;      ///< [m], between the punch faces
   double force = 0.0;    ///< [N]
   bool servo = false;    ///< hold: keep `force`
+  std::filesystem::path follow_file = {}; ///< follow: where the path is measured
+  double time_scale = 1.0;                ///< [1], follow: simulated over measured time
+  GapPath path = {};                      ///< follow: read when the press is set up
 };
 
 struct TimeStepping {

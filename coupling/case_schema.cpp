@@ -260,8 +260,9 @@ std::vector<Entry> stage_entries(int number) {
   StageDefaults const stage = stage_defaults(number);
   std::string const at = fmt::format("Press programme/Stage {}/", number);
   return {
-      {at + "Kind", choice, ratio, stage.kind, any, "none | move | hold | release | free",
-       "move the tools, hold them, release (remove) them, or drive nothing; none: no such stage."},
+      {at + "Kind", choice, ratio, stage.kind, any, "none | move | hold | release | free | follow",
+       "move the tools, hold them, release (remove) them, drive nothing, or follow a measured gap; "
+       "none: no such stage."},
       {at + "Name", text, ratio, stage.name, any, "",
        "Name of the stage; empty: stage and its number."},
       {at + "Tools", tools, ratio, stage.tools, any, "",
@@ -277,6 +278,10 @@ std::vector<Entry> stage_entries(int number) {
       {at + "Force", quantity, force, "0 N", within(0.0, 1e9), "",
        "Force on the tool that ends a move or is held."},
       {at + "Servo", truth, ratio, "false", any, "", "Hold: keep Force instead of the position."},
+      {at + "Follow file", file, ratio, "", any, "",
+       "Follow: CSV with the columns time and punch_gap, the punch faces' distance as measured."},
+      {at + "Time scale", quantity, ratio, "1", above_up_to(0.0, 1e6), "",
+       "Follow: simulated time over measured time; below 1 the press runs faster than measured."},
   };
 }
 

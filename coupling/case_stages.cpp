@@ -30,6 +30,8 @@ public:
       hold();
     else if (kind == "release")
       release();
+    else if (kind == "follow")
+      follow();
     else
       free();
     read_.refuse_unread(at_, reason(kind));
@@ -81,6 +83,18 @@ private:
   void free() {
     stage_.kind = StageKind::free;
     stage_.duration = needed("Duration", "a free stage needs one");
+  }
+
+  void follow() {
+    stage_.kind = StageKind::follow;
+    stage_.tools = needed_tools("one punch follows the gap");
+    if (stage_.tools.size() != 1 || stage_.tools[0] == "die")
+      read_.refuse(at_ + "Tools",
+                   "is not the one punch that follows a gap. Name upper_punch or lower_punch?");
+    stage_.follow_file = read_.file(at_ + "Follow file");
+    if (stage_.follow_file.empty())
+      read_.refuse(at_ + "Follow file", "names no file (Kind = follow needs one). Which?");
+    stage_.time_scale = read_.number(at_ + "Time scale");
   }
 
   void need_positive(std::string const& name, double value, std::string const& why) {

@@ -172,6 +172,7 @@ void PressCycle::finish_stage() {
   dem::complete_step(press_.world);
   std::string const name = programme.stage().name;
   bool const is_free = programme.stage().kind == StageKind::free;
+  bool const ejects = programme.stage().until == Limit::flush;
   press_.tally.step_to_stable = std::max(
       press_.tally.step_to_stable, programme.present_step() / dem::stable_time_step(press_.world));
   record();
@@ -181,7 +182,7 @@ void PressCycle::finish_stage() {
   // The seed's porosity is that of the compact that lies unloaded in its die; a press that ends
   // under load is measured there.
   bool const is_unloaded = squeezing_force(tool_named(press_.world, "upper_punch")) == 0.0;
-  if (tool_named(press_.world, "die").present && (is_unloaded || programme.is_done()))
+  if (tool_named(press_.world, "die").present && !ejects && (is_unloaded || programme.is_done()))
     measure_compact(press_);
   if (programme.is_done())
     conclude();

@@ -1,5 +1,6 @@
 #include "coupling/press_programme.hpp"
 
+#include "coupling/gap_path.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -14,6 +15,9 @@ namespace coupling {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+// A path begins where the punches are, but for the digits of a laboratory's file [m].
+constexpr double path_tolerance = 1e-6;
 
 // A stage length that is a whole number of steps but for rounding gets that number, not one more.
 constexpr double rounding = 1e-9;
@@ -114,6 +118,14 @@ double PressProgramme::planned_length(dem::World const& world) const {
   Stage const& s = stage();
   if (s.kind == StageKind::release)
     return 0.0;
+  if (s.kind == StageKind::follow) {
+    double const gap = punch_gap(world, faces_);
+    if (std::abs(s.path.gap.front() - gap) > path_tolerance)
+      throw dem::PhysicsGuard(fmt::format("stage '{}': the path to follow starts at a gap of "
+                                          "{:.6g} m, but the punches stand {:.6g} m apart. Move "
+                                          "them there in a stage before?",
+                                          s.name, s.path.gap.front(), gap));
+  }
   double const limit = s.duration > 0.0 ? s.duration : unbounded;
   if (s.kind != StageKind::move || s.until == Limit::time)
     return s.duration;
@@ -161,7 +173,8 @@ bool PressProgramme::force_reached(dem::World const& world) const {
 
 bool PressProgramme::stage_has_ended(dem::World const& world) const {
   bool const time_is_over = std::isfinite(stage_end_) && steps_to_end_ == 0;
-  bool const is_driven = stage().kind == StageKind::move || stage().servo;
+  bool const is_driven =
+      stage().kind == StageKind::move || stage().kind == StageKind::follow || stage().servo;
   double const gap = punch_gap(world, faces_);
   if (is_driven && gap <= 0.0)
     throw dem::PhysicsGuard(fmt::format(
@@ -187,6 +200,11 @@ double PressProgramme::command_step(dem::World& world) {
     plan_steps(world);
   Stage const& s = stage();
   double speed = s.kind == StageKind::move ? s.speed : 0.0;
+  if (s.kind == StageKind::follow) {
+    double const aim = gap_at(s.path, world.time + step_ - stage_start_);
+    double const opening = (aim - punch_gap(world, faces_)) / step_;
+    speed = s.tools.front() == "upper_punch" ? opening : -opening;
+  }
   if (s.kind == StageKind::hold && s.servo) {
     double const closing =
         servo_.closing_speed(read_servo(world, s, faces_), s.force, servo_speed(s), step_);

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -118,6 +119,14 @@ public:
     field("programme/step", step_);
     field("programme/steps_to_end", steps_to_end_);
     field("programme/steps_to_renewal", steps_to_renewal_);
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      if (stages_[k].kind != StageKind::follow)
+        continue;
+      // The path as the run began with it, whatever has become of its file.
+      std::string const at = "programme/path_" + std::to_string(k);
+      field(at + "_time", stages_[k].path.time);
+      field(at + "_gap", stages_[k].path.gap);
+    }
     servo_.visit_state(field);
     frame_.visit_state(field);
   }

@@ -1,5 +1,6 @@
 #include "coupling/press_set_up.hpp"
 
+#include "coupling/gap_path.hpp"
 #include "coupling/press_grains.hpp"
 #include "coupling/press_measures.hpp"
 #include "coupling/press_tools.hpp"
@@ -56,6 +57,11 @@ Press empty_press(Case const& setup) {
     throw dem::InvalidInput(
         fmt::format("{}: Press programme: {}", setup.file.string(), error.what()));
   }
+  VALIDATE(
+      setup.frame.is_rigid() || std::ranges::count(stages, StageKind::follow, &Stage::kind) == 0,
+      fmt::format("{}: Press frame/Stiffness: a stage follows the gap as measured at the punch "
+                  "faces, behind the frame. Set it to 0, or move by command?",
+                  setup.file.string()));
   Press press{.setup = setup,
               .world = empty_world(setup),
               .programme = PressProgramme(stages, starting_faces(setup),
@@ -143,6 +149,12 @@ std::vector<Stage> stages_of(Case const& setup) {
                       .tools = {},
                       .duration = setup.powder.settle_time});
   stages.insert(stages.end(), setup.stages.begin(), setup.stages.end());
+  for (Stage& stage : stages) {
+    if (stage.kind != StageKind::follow)
+      continue;
+    stage.path = read_gap_path(stage.follow_file, stage.time_scale);
+    stage.duration = stage.path.time.back();
+  }
   return stages;
 }
 

@@ -38,13 +38,15 @@ public:
       return release(stage);
     case StageKind::free:
       return check_duration(stage);
+    case StageKind::follow:
+      return follow(stage);
     }
   }
 
 private:
   void check_tools(Stage const& stage) const {
     bool const needs_tools =
-        stage.kind == StageKind::move || stage.kind == StageKind::release || stage.servo;
+        stage.kind != StageKind::free && (stage.kind != StageKind::hold || stage.servo);
     if (needs_tools && stage.tools.empty())
       refuse(stage, "it names no tool. Which of die, upper_punch, lower_punch?");
     for (auto const& tool : stage.tools) {
@@ -117,6 +119,20 @@ private:
     gap_ = unknown;
   }
 
+  void follow(Stage const& stage) {
+    if (stage.path.gap.empty()) { // its file has not been read yet
+      gap_ = unknown;
+      return;
+    }
+    check_duration(stage);
+    double const first = stage.path.gap.front();
+    if (std::abs(first - gap_) > 1e-6)
+      refuse(stage, fmt::format("its path starts at a gap of {:.6g} m, but the punches will stand "
+                                "{:.6g} m apart. Move them there in a stage before?",
+                                first, gap_));
+    gap_ = stage.path.gap.back();
+  }
+
   void release(Stage const& stage) { released_.insert(stage.tools.begin(), stage.tools.end()); }
 
   double gap_; // [m]; NaN once a force decides
@@ -159,7 +175,8 @@ std::vector<double> expected_lengths(std::span<Stage const> stages, double fill_
       length = gap / std::abs(rate);
     if (stage.until == Limit::flush && length == 0.0)
       length = fill_height / ejection_rate(stage);
-    gap = std::max(gap + rate * length, 0.0);
+    gap = stage.kind == StageKind::follow ? stage.path.gap.back()
+                                          : std::max(gap + rate * length, 0.0);
     lengths.push_back(length);
   }
   return lengths;

@@ -151,6 +151,19 @@ TEST(EveryEntry, OfLawsAndStagesReachesTheCase) {
   expect_equal(it.stages[3], {.name = "stage 12", .kind = StageKind::release, .tools = {"die"}});
 }
 
+TEST(EveryEntry, OfAPathReachesTheCase) {
+  std::string const file = PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm"; // any that is there
+  Case const it =
+      seed({"Press programme/Stage 2/Kind=follow", "Press programme/Stage 2/Follow file=" + file,
+            "Press programme/Stage 2/Time scale=1e-3"});
+  Stage const& stage = it.stages.at(1);
+  EXPECT_EQ(stage.kind, StageKind::follow);
+  EXPECT_EQ(stage.tools, std::vector<std::string>{"upper_punch"});
+  EXPECT_EQ(stage.follow_file, file);
+  EXPECT_EQ(stage.time_scale, 1e-3);
+  expect_equal(parse_case(it.resolved_text, "case.resolved.prm"), it);
+}
+
 TEST(EveryEntry, OfJkrReachesTheCase) {
   Case const it = seed({"Contact/Preset=custom", "Contact/Normal law=jkr",
                         "Contact/Cohesion law=none", "Contact/Tangential law=frictionless",

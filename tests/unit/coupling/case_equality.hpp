@@ -78,6 +78,8 @@ inline void expect_equal(Stage const& a, Stage const& b) {
   EXPECT_EQ(a.gap, b.gap);
   EXPECT_EQ(a.force, b.force);
   EXPECT_EQ(a.servo, b.servo);
+  EXPECT_EQ(a.follow_file, b.follow_file);
+  EXPECT_EQ(a.time_scale, b.time_scale);
 }
 
 inline void expect_equal(TimeStepping const& a, TimeStepping const& b) {

@@ -1,5 +1,7 @@
+#include "coupling/gap_path.hpp"
 #include "coupling/press_programme.hpp"
 #include "dem/expect.hpp"
+#include "tests/support/scratch_folder.hpp"
 #include "tests/unit/coupling/press_stand_in.hpp"
 
 #include <gtest/gtest.h>
@@ -49,6 +51,60 @@ TEST(PressProgramme, AWholeNumberOfLongestStepsIsNotSplitFurther) {
   while (!cycle.stage_has_ended(world))
     one_step(world, cycle);
   EXPECT_EQ(world.step, 1000u);
+}
+
+TEST(PressProgramme, FollowsAMeasuredGap) {
+  support::ScratchFolder const scratch;
+  auto const file = scratch / "measured.csv";
+  // Milliseconds and millimetres, a second row without gap, a dwell; the clock does not start at 0.
+  support::put_bytes(file, "time [ms],punch_gap [mm],upper_punch_force [N]\n"
+                           "100,20,0\n101,nan,0\n102,19.5,1\n104,19.2,2\n106,19.2,2\n108,19.9,0\n");
+  GapPath const path = read_gap_path(file, 0.5);
+  EXPECT_EQ(path.time.size(), 5u);
+  EXPECT_NEAR(path.time.back(), 4e-3, 1e-15);
+  EXPECT_NEAR(gap_at(path, 1.5e-3), 19.35e-3, 1e-15);
+  EXPECT_EQ(gap_at(path, 9.0), path.gap.back());
+  for (std::string const punch : {"upper_punch", "lower_punch"}) {
+    auto world = press_world();
+    auto cycle = programme({{.name = "measured",
+                             .kind = StageKind::follow,
+                             .tools = {punch},
+                             .duration = path.time.back(),
+                             .path = path}});
+    cycle.start_stage(world);
+    while (!cycle.stage_has_ended(world)) {
+      one_step(world, cycle);
+      EXPECT_NEAR(punch_gap(world, cycle.faces()), gap_at(path, world.time), 1e-15);
+    }
+    EXPECT_EQ(world.time, path.time.back());
+    // A restart brings the path with it, whatever its file has become.
+    Memory memory;
+    cycle.visit_state(memory.writer());
+    EXPECT_EQ(std::any_cast<std::vector<double>>(memory.fields.at("programme/path_0_gap")),
+              path.gap);
+  }
+}
+
+TEST(PressProgramme, RefusesPathsThatAreNone) {
+  support::ScratchFolder const scratch;
+  auto const file = scratch / "measured.csv";
+  auto const refusal = [&](std::string const& text) {
+    support::put_bytes(file, text);
+    try {
+      read_gap_path(file, 1.0);
+    } catch (dem::InvalidInput const& error) {
+      return std::string(error.what());
+    }
+    return std::string("accepted");
+  };
+  EXPECT_NE(refusal("time [s],gap [m]\n0,0.02\n1,0.01\n").find("no column 'punch_gap'"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],punch_gap [m]\n0,0.02\n").find("fewer than two rows"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],punch_gap [m]\n0,0.02\n1,0.01\n1,0.01\n").find("row 3: time"),
+            std::string::npos);
+  EXPECT_NE(refusal("time [s],punch_gap [m]\n0,0.02\n1,-0.01\n").find("row 2: punch_gap"),
+            std::string::npos);
 }
 
 TEST(PressProgramme, StopsAtTheGap) {

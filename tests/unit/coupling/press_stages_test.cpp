@@ -88,6 +88,13 @@ TEST(PressStages, RefusesWhatCannotBeRun) {
   expect_refused({eject}, "in the compact's way");
   expect_refused({release({"upper_punch"}), changed(eject, [](Stage& s) { s.speed = -0.2; })},
                  "no nearer to the die's rim");
+  Stage const follow{.name = "measured",
+                     .kind = StageKind::follow,
+                     .tools = {"upper_punch"},
+                     .duration = 1.0,
+                     .path = {.time = {0.0, 1.0}, .gap = {12e-3, 9e-3}}};
+  EXPECT_EQ(refusal({press_to_gap(12e-3), follow}), "accepted");
+  expect_refused({follow}, "starts at a gap of 0.012 m, but the punches will stand 0.02 m apart");
   expect_refused({keep_force(0.0, 1e-3)}, "force above 0 N");
   expect_refused({changed(keep_force(5.0, 1e-3), [](Stage& s) { s.tools = {"die"}; })},
                  "not the die");
