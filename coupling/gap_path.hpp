@@ -13,6 +13,9 @@ namespace coupling {
 /// time that does not increase, a gap that is not above 0
 GapPath read_gap_path(std::filesystem::path const& file, double time_scale);
 
+/// How far the punches may stand from where a path begins [m]: the digits of a laboratory's file.
+inline constexpr double path_start_tolerance = 1e-6;
+
 /// The gap at a time [m], straight between the points and constant beyond the last.
 double gap_at(GapPath const& path, double time);
 

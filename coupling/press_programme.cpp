@@ -16,9 +16,6 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-// A path begins where the punches are, but for the digits of a laboratory's file [m].
-constexpr double path_tolerance = 1e-6;
-
 // A stage length that is a whole number of steps but for rounding gets that number, not one more.
 constexpr double rounding = 1e-9;
 
@@ -120,7 +117,7 @@ double PressProgramme::planned_length(dem::World const& world) const {
     return 0.0;
   if (s.kind == StageKind::follow) {
     double const gap = punch_gap(world, faces_);
-    if (std::abs(s.path.gap.front() - gap) > path_tolerance)
+    if (std::abs(s.path.gap.front() - gap) > path_start_tolerance)
       throw dem::PhysicsGuard(fmt::format("stage '{}': the path to follow starts at a gap of "
                                           "{:.6g} m, but the punches stand {:.6g} m apart. Move "
                                           "them there in a stage before?",

@@ -62,6 +62,11 @@ Press empty_press(Case const& setup) {
       fmt::format("{}: Press frame/Stiffness: a stage follows the gap as measured at the punch "
                   "faces, behind the frame. Set it to 0, or move by command?",
                   setup.file.string()));
+  VALIDATE(setup.tooling.walls != WallKind::analytic ||
+               std::ranges::count(stages, Limit::flush, &Stage::until) == 0,
+           fmt::format("{}: Tooling/Walls = analytic: a stage ends flush with the die's rim, which "
+                       "an endless cylinder does not have. Choose Walls = surface?",
+                       setup.file.string()));
   Press press{.setup = setup,
               .world = empty_world(setup),
               .programme = PressProgramme(stages, starting_faces(setup),

@@ -1,3 +1,4 @@
+#include "coupling/gap_path.hpp"
 #include "coupling/press_programme.hpp"
 
 #include "dem/expect.hpp"
@@ -126,7 +127,7 @@ private:
     }
     check_duration(stage);
     double const first = stage.path.gap.front();
-    if (std::abs(first - gap_) > 1e-6)
+    if (std::abs(first - gap_) > path_start_tolerance)
       refuse(stage, fmt::format("its path starts at a gap of {:.6g} m, but the punches will stand "
                                 "{:.6g} m apart. Move them there in a stage before?",
                                 first, gap_));

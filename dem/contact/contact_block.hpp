@@ -65,10 +65,10 @@ template <class T> using ContactRemembers = std::array<T, 4>;
 /// they own. A block writes the loads of its own grains, and of each foreign partner (the halo)
 /// into a place of its own that lies beside those of other blocks for the same grain, in the order
 /// of the blocks. They are summed in this order, so the result does not depend on which thread did
-/// which block. Contacts are stored
-/// first the pairs sorted by (owner, partner), then the walls sorted by (owner, tool, patch); each
-/// part is padded to full packs. `constants` and `memory` hold, pack by pack, all of a pack's first
-/// numbers, then all its second ones, and so on: the sweep reads each as one stream.
+/// which block. First come the pairs sorted by (owner, partner), then the walls sorted by (owner,
+/// tool, patch); each part is padded to full packs. `constants` and `memory` hold, pack by pack,
+/// all of a pack's first numbers, then all its second ones, and so on: the sweep reads each as one
+/// stream.
 template <class T> struct ContactBlock {
   std::uint32_t first_row = 0, end_row = 0;
   std::uint32_t n_pairs = 0;
@@ -79,12 +79,10 @@ template <class T> struct ContactBlock {
   std::vector<std::uint32_t>
       rows; ///< row of each slot: the block's own, then the foreign partners, sorted
   std::size_t wall_offset = 0; ///< contacts before the first wall, padding included
-  int n_memory =
-      0; ///< numbers that a contact remembers: spring x y z [m], memory of the normal law
+  int n_memory = 0;            ///< numbers that a contact remembers, see ContactRemembers
   LineVector<T> constants;
   LineVector<T> memory;
-  std::vector<std::uint32_t>
-      halo_place; ///< of each foreign partner's load in ContactLists::halo_loads
+  std::vector<std::uint32_t> halo_place; ///< of the foreign partners, in ContactLists::halo_loads
   BlockPower power;
 
   std::uint32_t n_rows() const { return end_row - first_row; }

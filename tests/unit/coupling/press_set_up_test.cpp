@@ -181,4 +181,23 @@ TEST(PressSetUp, RefusesWhatOnlyGeometryShows) {
                      "Powder/Total mass=0.3 g"})
                 .find("does not fit a bore of 0.016 m"),
             std::string::npos);
+  Case endless = tiny::read({"Tooling/Walls=analytic"});
+  endless.stages = {{.name = "withdrawal",
+                     .kind = StageKind::move,
+                     .tools = {"die"},
+                     .speed = -0.1,
+                     .until = Limit::flush}};
+  EXPECT_THROW(set_up_press(endless), dem::InvalidInput);
+  auto const path = scratch / "path.csv";
+  support::put_bytes(path, "time [s],punch_gap [m]\n0,0.0044\n1,0.008\n");
+  auto const follow = [&](std::string const& stiffness) {
+    Case setup = tiny::read({"Press frame/Stiffness=" + stiffness});
+    setup.stages[1] = {.name = "unloading",
+                       .kind = StageKind::follow,
+                       .tools = {"upper_punch"},
+                       .follow_file = path};
+    set_up_press(setup);
+  };
+  EXPECT_NO_THROW(follow("0 N/m"));
+  EXPECT_THROW(follow("1 kN/mm"), dem::InvalidInput);
 }
