@@ -21,6 +21,7 @@ std::vector<Experiment> adhesion_experiments();
 std::vector<Experiment> friction_experiments();
 std::vector<Experiment> integrator_experiments();
 std::vector<Experiment> particle_impact_experiments();
+std::vector<Experiment> press_motion_experiments();
 std::vector<Experiment>
 elasticity_experiments(); ///< finite elements: MPI and PETSc start with the first run
 

@@ -62,6 +62,21 @@ std::vector<Benchmark> ball_on_half_space() {
   return rows;
 }
 
+/// A rigid ball of 10 mm pressed into a half-space of 200 GPa with 1 kN: the engine's force at the
+/// depth that Hertz gives.
+std::vector<Benchmark> indentation() {
+  Recipe recipe = smooth(1.0, dem::Precision::full);
+  recipe.grain = {"rigid", 7850.0, 200e18, 0.3};
+  recipe.wall = {"half-space", 7850.0, 200e9, 0.3};
+  constexpr double radius = 10e-3, depth = 10.52e-6; // [m]
+  dem::World world = empty_world(recipe);
+  world.grains.add({0.0, 0.0, radius - depth}, radius, recipe.grain.density, 0);
+  add_tool(world, "plate", plate(50.0 * radius, 10.0 * radius));
+  dem::prepare(world);
+  // The depth has four digits.
+  return {compare("indentation/force", 1000.0, world.grains.force[0].z(), 1e-3, johnson)};
+}
+
 /// Restitution realised by velocity Verlet at three steps: an alumina grain of 0.25 mm meets a
 /// magnesia grain of 1.5 mm at 0.2 m/s from 1 um away. The deviation from 0.5 is the integrator's,
 /// and belongs to the step.
@@ -121,6 +136,7 @@ std::vector<Experiment> collision_experiments() {
   return {{"hertz/full", [] { return elastic_pair("hertz/full", dem::Precision::full, 1e-5); }},
           {"hertz/mixed", [] { return elastic_pair("hertz/mixed", dem::Precision::mixed, 1e-4); }},
           {"half_space", ball_on_half_space},
+          {"indentation", indentation},
           {"hertz_damping", restitution_at_step},
           {"hooke", hooke}};
 }

@@ -33,7 +33,7 @@ std::vector<Experiment> all_experiments() {
   std::vector<Experiment> all;
   for (auto const theme :
        {collision_experiments, adhesion_experiments, friction_experiments, integrator_experiments,
-        particle_impact_experiments, elasticity_experiments}) {
+        particle_impact_experiments, press_motion_experiments, elasticity_experiments}) {
     std::ranges::move(theme(), std::back_inserter(all));
   }
   return all;

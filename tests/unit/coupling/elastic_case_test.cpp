@@ -178,6 +178,7 @@ TEST(ElasticCase, ReachesThePress) {
   ASSERT_EQ(tools.size(), 3u);
   EXPECT_EQ(tools[0].body->body.mesh().hash(), make_die_body(setup).mesh.hash());
   EXPECT_EQ(tools[0].body->body.materials().size(), 2u);
+  EXPECT_EQ(tools[0].body->gap, largest_gap(tools[0]));
   for (auto const& [tool, place, z, outwards] :
        {std::tuple{1, PunchPlace::upper, 20e-3, 1.0}, {2, PunchPlace::lower, 0.0, -1.0}}) {
     EXPECT_EQ(tools[tool].body->body.mesh().hash(), make_punch_body(setup, place).mesh.hash());

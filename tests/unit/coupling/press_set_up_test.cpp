@@ -2,6 +2,7 @@
 
 #include "coupling/press_grains.hpp"
 #include "coupling/press_measures.hpp"
+#include "coupling/press_tools.hpp"
 #include "dem/expect.hpp"
 #include "dem/step/advance.hpp"
 #include "tests/regression/tiny_press.hpp"
@@ -164,6 +165,15 @@ TEST(PressSetUp, TheStepIsTheCasesShareOfTheRayleighTime) {
   // Nothing touches, so the adaptive step is held by the Rayleigh time alone.
   EXPECT_EQ(longest_step_of({.adaptive = true, .safety = 0.5})(world),
             0.2 * dem::rayleigh_time(world));
+}
+
+TEST(PressSetUp, AToolsShareOfAContactIsThatOfItsCompliance) {
+  // (1 - nu^2)/E: 0.96/200 MPa of the tool, 0.84/150 MPa and 0.96/600 MPa of the grains.
+  Case const setup = tiny::read(
+      {"Tooling/Young's modulus=200 MPa", "Tooling/Poisson's ratio=0.2",
+       "Powder/Component 1/Young's modulus=150 MPa", "Powder/Component 1/Poisson's ratio=0.4",
+       "Powder/Component 2/Young's modulus=600 MPa", "Powder/Component 2/Poisson's ratio=0.2"});
+  EXPECT_NEAR(tool_share(setup), 3.0 / 4.0, 1e-12); // with the stiffer of the two
 }
 
 TEST(PressSetUp, RefusesWhatOnlyGeometryShows) {

@@ -106,9 +106,9 @@ TEST(SummaryFile, HasTheKeysOfTheContractAndNullForWhatWasNotReached) {
   for (auto const* key :
        {"max_force_N", "porosity", "porosity_core", "compact_height_m", "springback",
         "shape_quality", "shape_similarity", "grains", "steps", "time_step_s", "wall_seconds",
-        "particle_steps_per_second", "mode", "version", "checks", "tools"})
+        "particle_steps_per_second", "mode", "version", "checks", "tools", "ejection_force_N"})
     EXPECT_TRUE(json.contains(key)) << key;
-  EXPECT_EQ(json.size(), 16u);
+  EXPECT_EQ(json.size(), 17u);
   EXPECT_EQ(json["max_force_N"], 1471.25);
   EXPECT_TRUE(json["springback"].is_null());
   EXPECT_TRUE(json["shape_quality"].is_null());
@@ -122,6 +122,7 @@ TEST(SummaryFile, ReadsBackWhatItWrote) {
   ScratchFolder const folder;
   Summary before;
   before.max_force = 1.0 / 3.0;
+  before.ejection_force = 11.5;
   before.porosity = 0.1;
   before.porosity_core = 0.2;
   before.compact_height = 0.011;
@@ -140,12 +141,15 @@ TEST(SummaryFile, ReadsBackWhatItWrote) {
                    .max_von_mises = 2e8,
                    .where = {1.0, 2.0, 3.0},
                    .valid_below_depth = 1e-4,
-                   .yield_utilisation = 0.5},
+                   .yield_utilisation = 0.5,
+                   .contact_share = 0.55},
                   {.name = "upper_punch"}};
   write_summary(folder / "summary.json", before);
   Summary const after = coupling::read_summary(folder / "summary.json");
   EXPECT_EQ(coupling::summary_json(after), coupling::summary_json(before));
   EXPECT_EQ(after.max_force, before.max_force);
+  EXPECT_EQ(after.ejection_force, 11.5);
+  EXPECT_EQ(after.tools[0].contact_share, 0.55);
   EXPECT_EQ(after.steps, before.steps);
   EXPECT_EQ(after.shape_quality, 4);
   EXPECT_TRUE(std::isnan(after.springback));
