@@ -22,8 +22,9 @@ std::vector<Experiment> friction_experiments();
 std::vector<Experiment> integrator_experiments();
 std::vector<Experiment> particle_impact_experiments();
 std::vector<Experiment> press_motion_experiments();
-std::vector<Experiment>
-elasticity_experiments(); ///< finite elements: MPI and PETSc start with the first run
+// Finite elements: MPI and PETSc start with the first run.
+std::vector<Experiment> elasticity_experiments();
+std::vector<Experiment> coupled_experiments();
 
 std::vector<Experiment> all_experiments();
 

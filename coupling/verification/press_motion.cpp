@@ -68,6 +68,50 @@ std::vector<Benchmark> block_on_grains() {
                   1e-6, "conservation of energy")};
 }
 
+/// A steel ball falls on an infinite elastic plate that answers a force F with the velocity
+/// alpha F, alpha = 1 / (8 sqrt(D rho h)): waves carry energy away, and the ball comes back with
+///   e(lambda),  lambda = alpha m / T,  T = (m / (K sqrt(v)))^(2/5),
+/// of  s'' + (1 + lambda d/dt) s^(3/2) = 0.  Zener, Phys. Rev. 59 (1941) 669.
+std::vector<Benchmark> ball_on_plate() {
+  constexpr double radius = 5e-3, speed = 0.1; // [m], [m/s]
+  Recipe recipe;
+  recipe.law.cohesion = "none";
+  recipe.law.tangential = "frictionless";
+  recipe.law.precision = dem::Precision::full;
+  recipe.grain = recipe.wall = {"steel", 7850.0, 200e9, 0.3};
+  recipe.grain_wall.restitution = 1.0;
+  HertzImpact const hertz{.effective_modulus = effective_modulus(200e9, 0.3, 200e9, 0.3),
+                          .effective_radius = radius,
+                          .effective_mass = sphere_mass(7850.0, radius),
+                          .speed = speed};
+  double const mass = hertz.effective_mass;
+  double const scale = std::pow(mass / (hertz.stiffness() * std::sqrt(speed)), 0.4);
+  double const dt = hertz.duration() / 4000.0;
+  std::vector<Benchmark> rows;
+  struct Row {
+    char const* name;
+    double lambda, restitution;
+  };
+  for (auto const& [name, lambda, restitution] :
+       {Row{"0.05", 0.05, 0.9178}, Row{"0.1", 0.1, 0.8433}, Row{"0.2", 0.2, 0.7140},
+        Row{"0.3", 0.3, 0.6060}, Row{"0.5", 0.5, 0.4369}, Row{"1", 1.0, 0.1841}}) {
+    double const alpha = lambda * scale / mass; // [m/s/N]
+    dem::World world = empty_world(recipe);
+    world.grains.add({0.0, 0.0, radius}, radius, 7850.0, 0, {0.0, 0.0, -speed});
+    dem::Tool& tool = world.tools[add_tool(world, "plate", plate(50.0 * radius, 10.0 * radius))];
+    dem::prepare(world);
+    do {
+      tool.velocity.z() = alpha * tool.force.z();
+      dem::advance(world, dt);
+    } while (tool.force.z() != 0.0);
+    // The references have four digits.
+    rows.push_back(compare(std::string("ball_on_plate/restitution_at_") + name, restitution,
+                           world.grains.velocity[0].z() / speed, 2e-3,
+                           "Zener (1941), integrated with four digits"));
+  }
+  return rows;
+}
+
 /// Means over the second half of a stage.
 struct PlugMeans {
   double upper = 0.0, lower = 0.0, pressure = 0.0, height = 0.0;
@@ -137,7 +181,8 @@ std::vector<Benchmark> janssen() {
 } // namespace
 
 std::vector<Experiment> press_motion_experiments() {
-  return {{"block_on_grains", block_on_grains}, {"janssen", janssen}};
+  return {
+      {"block_on_grains", block_on_grains}, {"ball_on_plate", ball_on_plate}, {"janssen", janssen}};
 }
 
 } // namespace coupling::verification
