@@ -126,9 +126,8 @@ std::string run_in_words(ReportData const& data) {
 }
 
 std::string summary_html(Summary const& s) {
-  std::vector<TableRow> const rows = {
+  std::vector<TableRow> rows = {
       {{{"Largest punch force"}, number(s.max_force, "N")}, ""},
-      {{{"Ejection force"}, number(s.ejection_force, "N")}, ""},
       {{{"Compact height"}, number(s.compact_height, "m")}, ""},
       {{{"Springback"}, {percent(s.springback), true}}, ""},
       {{{"Porosity"}, {percent(s.porosity), true}}, ""},
@@ -143,6 +142,8 @@ std::string summary_html(Summary const& s) {
        ""},
       {{{"Mode"}, {s.mode, true}}, ""},
   };
+  if (std::isfinite(s.ejection_force)) // most cycles end with the die's release instead
+    rows.insert(rows.begin() + 1, {{{"Ejection force"}, number(s.ejection_force, "N")}, ""});
   return table_html({}, rows);
 }
 
