@@ -317,7 +317,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
                    .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
       .dt = dt,
       .window_time = world.window_time};
-#pragma omp parallel for schedule(dynamic, 1) if (lists_.blocks.size() > 1)
+// Static: a block stays with its thread, and its contacts in that core's cache.
+#pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
     kernel_.sweep(lists_.blocks[b], input);
   open_step_ = dt;
