@@ -97,12 +97,8 @@ std::vector<std::pair<double, double>> draw_apart(Recipe const& recipe, double r
 }
 
 std::vector<Benchmark> jkr() {
-  Recipe recipe;
+  Recipe recipe = smooth();
   recipe.law.normal = "jkr";
-  recipe.law.cohesion = "none";
-  recipe.law.tangential = "frictionless";
-  recipe.law.precision = dem::Precision::full;
-  recipe.grain_grain.restitution = 1.0;
   recipe.grain_grain.surface_energy = 5.0;
   double const R = 0.25e-3, E = recipe.grain.young_modulus, nu = recipe.grain.poisson_ratio;
   Adhesion const exact{.effective_modulus = effective_modulus(E, nu, E, nu),

@@ -9,16 +9,6 @@ namespace {
 
 char const* const johnson = "Johnson, Contact Mechanics (1985), eqs 4.23, 11.24";
 
-Recipe smooth(double restitution, dem::Precision precision) {
-  Recipe recipe;
-  recipe.law.cohesion = "none";
-  recipe.law.tangential = "frictionless";
-  recipe.law.precision = precision;
-  recipe.grain_grain.restitution = restitution;
-  recipe.grain_wall.restitution = restitution;
-  return recipe;
-}
-
 /// Elastic impact of two unequal grains: duration, deepest overlap and largest force.
 std::vector<Benchmark> elastic_pair(std::string const& name, dem::Precision precision,
                                     double tolerance) {
@@ -47,9 +37,7 @@ std::vector<Benchmark> ball_on_half_space() {
   for (auto const& [name, wall_modulus, depth, force, duration] :
        {Row{"steel", 200e9, 1.897e-6, 27.08, 55.85e-6},
         Row{"rigid", 200e18, 1.438e-6, 35.73, 42.32e-6}}) {
-    ImpactSetup setup{.recipe = smooth(1.0, dem::Precision::full),
-                      .radius = 5e-3,
-                      .velocity = dem::Vec3(0, 0, -0.1)};
+    ImpactSetup setup{.recipe = smooth(), .radius = 5e-3, .velocity = dem::Vec3(0, 0, -0.1)};
     setup.recipe.grain = {"steel", 7850.0, 200e9, 0.3};
     setup.recipe.wall = {"half-space", 7850.0, wall_modulus, 0.3};
     ImpactResult const found = collide(setup);
@@ -65,7 +53,7 @@ std::vector<Benchmark> ball_on_half_space() {
 /// A rigid ball of 10 mm pressed into a half-space of 200 GPa with 1 kN: the engine's force at the
 /// depth that Hertz gives.
 std::vector<Benchmark> indentation() {
-  Recipe recipe = smooth(1.0, dem::Precision::full);
+  Recipe recipe = smooth();
   recipe.grain = {"rigid", 7850.0, 200e18, 0.3};
   recipe.wall = {"half-space", 7850.0, 200e9, 0.3};
   constexpr double radius = 10e-3, depth = 10.52e-6; // [m]
@@ -89,7 +77,7 @@ std::vector<Benchmark> restitution_at_step() {
   for (auto const& [name, step, restitution] :
        {Row{"4e-7", 4e-7, 0.497961}, Row{"5e-8", 5e-8, 0.499881},
         Row{"6.25e-9", 6.25e-9, 0.499983}}) {
-    ImpactSetup setup{.recipe = smooth(0.5, dem::Precision::full),
+    ImpactSetup setup{.recipe = smooth(0.5),
                       .radius = 0.25e-3,
                       .other_radius = 1.5e-3,
                       .other_mass_factor = 3500.0 / 3000.0,
@@ -108,7 +96,7 @@ std::vector<Benchmark> restitution_at_step() {
 std::vector<Benchmark> hooke() {
   std::vector<Benchmark> rows;
   for (double const e : {0.3, 0.9}) {
-    ImpactSetup setup{.recipe = smooth(e, dem::Precision::full),
+    ImpactSetup setup{.recipe = smooth(e),
                       .radius = 0.5e-3,
                       .other_radius = 1.5e-3,
                       .velocity = dem::Vec3(0, 0, -0.2),

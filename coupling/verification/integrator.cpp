@@ -16,19 +16,13 @@ struct Oscillator {
 };
 
 Oscillator squeezed_grain() {
-  Recipe recipe;
+  Recipe recipe = smooth();
   recipe.law.normal = "hooke";
-  recipe.law.cohesion = "none";
-  recipe.law.tangential = "frictionless";
-  recipe.law.precision = dem::Precision::full;
-  recipe.grain_wall.restitution = 1.0;
   double const R = 1e-3, overlap = 1e-5, amplitude = 1e-7;
   dem::World world = empty_world(recipe);
   world.grains.add(dem::Vec3(0, 0, amplitude), R, recipe.grain.density, 0);
-  Eigen::Matrix3d const face_down = Eigen::Vector3d(1, -1, -1).asDiagonal();
   add_tool(world, "below", plate(20.0 * R, 5.0 * R), dem::Vec3(0, 0, -R + overlap));
-  add_tool(world, "above", turned(plate(20.0 * R, 5.0 * R), face_down),
-           dem::Vec3(0, 0, R - overlap));
+  add_tool(world, "above", ceiling(20.0 * R, 5.0 * R), dem::Vec3(0, 0, R - overlap));
   double const m = sphere_mass(recipe.grain.density, R);
   double const E = effective_modulus(recipe.grain.young_modulus, recipe.grain.poisson_ratio,
                                      recipe.wall.young_modulus, recipe.wall.poisson_ratio);

@@ -6,8 +6,6 @@
 #include "coupling/verification/setups.hpp"
 #include "dem/step/advance.hpp"
 
-#include <Eigen/Geometry>
-
 #include <algorithm>
 #include <cmath>
 
@@ -21,21 +19,15 @@ namespace {
 std::vector<Benchmark> block_on_grains() {
   constexpr double radius = 10e-3, rest_overlap = 1e-3, g = 9.81; // [m], [m], [m/s^2]
   constexpr int steps_a_period = 20000, n_periods = 5;
-  Recipe recipe;
+  Recipe recipe = smooth();
   recipe.law.normal = "hooke";
-  recipe.law.cohesion = "none";
-  recipe.law.tangential = "frictionless";
-  recipe.law.precision = dem::Precision::full;
   recipe.law.characteristic_velocity = 0.1;
-  recipe.grain_wall.restitution = 1.0;
   double const heavy = 1e20; // [kg/m^3]: the grains stay where they are
   dem::World world = empty_world(recipe);
   for (int corner = 0; corner < 4; ++corner)
     world.grains.add({corner % 2 ? 0.04 : -0.04, corner / 2 ? 0.04 : -0.04, -radius}, radius, heavy,
                      0);
-  dem::Tool& block = world.tools[add_tool(
-      world, "block",
-      turned(plate(0.05, 0.1), Eigen::AngleAxisd(pi, dem::Vec3::UnitX()).toRotationMatrix()))];
+  dem::Tool& block = world.tools[add_tool(world, "block", ceiling(0.05, 0.1))];
   dem::prepare(world);
 
   double const modulus = effective_modulus(recipe.grain.young_modulus, recipe.grain.poisson_ratio,
@@ -74,12 +66,8 @@ std::vector<Benchmark> block_on_grains() {
 /// of  s'' + (1 + lambda d/dt) s^(3/2) = 0.  Zener, Phys. Rev. 59 (1941) 669.
 std::vector<Benchmark> ball_on_plate() {
   constexpr double radius = 5e-3, speed = 0.1; // [m], [m/s]
-  Recipe recipe;
-  recipe.law.cohesion = "none";
-  recipe.law.tangential = "frictionless";
-  recipe.law.precision = dem::Precision::full;
+  Recipe recipe = smooth();
   recipe.grain = recipe.wall = {"steel", 7850.0, 200e9, 0.3};
-  recipe.grain_wall.restitution = 1.0;
   HertzImpact const hertz{.effective_modulus = effective_modulus(200e9, 0.3, 200e9, 0.3),
                           .effective_radius = radius,
                           .effective_mass = sphere_mass(7850.0, radius),

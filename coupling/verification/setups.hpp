@@ -65,6 +65,11 @@ inline dem::TriangleSurface turned(dem::TriangleSurface surface, Eigen::Matrix3d
   return surface;
 }
 
+/// A plate whose face z = 0 looks down.
+inline dem::TriangleSurface ceiling(double half_width, double thickness) {
+  return turned(plate(half_width, thickness), Eigen::Vector3d(1, -1, -1).asDiagonal());
+}
+
 /// What a small world is made of: material 0 is the grains', material 1 the tools'.
 struct Recipe {
   dem::Material grain{"grain", 3500.0, 250e6, 0.25};
@@ -74,6 +79,17 @@ struct Recipe {
   dem::ContactChoice law{};
   dem::Vec3 gravity = dem::Vec3::Zero();
 };
+
+/// Hertz without cohesion or friction.
+inline Recipe smooth(double restitution = 1.0, dem::Precision precision = dem::Precision::full) {
+  Recipe recipe;
+  recipe.law.cohesion = "none";
+  recipe.law.tangential = "frictionless";
+  recipe.law.precision = precision;
+  recipe.grain_grain.restitution = restitution;
+  recipe.grain_wall.restitution = restitution;
+  return recipe;
+}
 
 inline dem::World empty_world(Recipe const& recipe) {
   dem::World world;

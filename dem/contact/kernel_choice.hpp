@@ -1,7 +1,7 @@
 #pragma once
 
+#include "dem/contact/kernel_of.hpp"
 #include "dem/contact/laws.hpp"
-#include "dem/contact/sweep.hpp"
 
 #include <optional>
 

@@ -164,7 +164,10 @@ bool measure_overheads(Bench const& bench) {
 }
 
 Bench prepare(int argc, char** argv) {
-  Bench bench{.folder = "peer_speed", .bed = {}, .packing = {}, .dt = 0.0};
+  Bench bench{.folder = std::filesystem::path(STEP_DENSE_PROGRAM).parent_path() / "peer_speed",
+              .bed = {},
+              .packing = {},
+              .dt = 0.0};
   std::filesystem::create_directories(bench.folder);
   bench.bed.packing_file = argc > 3 ? std::filesystem::path(argv[2]) : bench.folder / "dense.csv";
   if (argc > 3)
