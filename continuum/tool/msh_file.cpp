@@ -3,6 +3,7 @@
 #include "continuum/expect.hpp"
 #include "continuum/tool/gmsh_session.hpp"
 #include "continuum/tool/quote.hpp"
+#include "continuum/tool/raise_cell.hpp"
 
 #include <gmsh.h>
 
@@ -40,33 +41,6 @@ std::vector<unsigned> lexicographic(int type, int& n_nodes) {
     for (int c = 0, stride = 1; c < dim; ++c, stride *= 3)
       places[n] += stride * static_cast<unsigned>(std::lround(local[dim * n + c] + 1.0));
   return places;
-}
-
-// Positions of the nodes that a cell of lower order lacks. On a face, and in the cell, they follow
-// from corners and mid-sides as in the serendipity element: 1/2 sides - 1/4 corners of a face,
-// 1/4 sides - 1/4 corners of a cell. With straight sides these are the means.
-void raise(HexMesh::CellNodes& nodes, std::array<bool, 27> const& is_known) {
-  auto const digits = [](unsigned n) { return std::array{n % 3, n / 3 % 3, n / 9}; };
-  auto const n_halves = [&](unsigned n) { return std::ranges::count(digits(n), 1u); };
-  // Edges before faces before the cell: each needs those before it.
-  for (int const kind : {1, 2, 3})
-    for (unsigned n = 0; n < 27; ++n) {
-      if (is_known[n] || n_halves(n) != kind)
-        continue;
-      Eigen::Vector3d corners = Eigen::Vector3d::Zero(), sides = Eigen::Vector3d::Zero();
-      for (unsigned m = 0; m < 27; ++m) {
-        bool is_around = true; // on the edge or face that n stands in the middle of
-        for (int c = 0; c < 3; ++c)
-          is_around = is_around && (digits(n)[c] == 1 || digits(m)[c] == digits(n)[c]);
-        if (is_around && n_halves(m) == 0)
-          corners += nodes[m];
-        else if (is_around && n_halves(m) == 1)
-          sides += nodes[m];
-      }
-      nodes[n] = kind == 1   ? Eigen::Vector3d(0.5 * corners)
-                 : kind == 2 ? Eigen::Vector3d(0.5 * sides - 0.25 * corners)
-                             : Eigen::Vector3d(0.25 * sides - 0.25 * corners);
-    }
 }
 
 class Reader {
@@ -158,7 +132,7 @@ private:
         if (i != 1 && j != 1 && k != 1)
           cell[4 * (k / 2) + 2 * (j / 2) + i / 2] = vertex(tags[n]);
       }
-      raise(nodes, is_known);
+      raise_cell(nodes, is_known);
       mesh_.cells.push_back(cell);
       mesh_.nodes.push_back(nodes);
       mesh_.regions.push_back(region);

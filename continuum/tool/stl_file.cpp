@@ -1,6 +1,7 @@
 #include "continuum/tool/stl_file.hpp"
 
 #include "continuum/expect.hpp"
+#include "continuum/tool/curved_skin.hpp"
 #include "continuum/tool/gmsh_session.hpp"
 #include "continuum/tool/quote.hpp"
 #include "continuum/tool/tet_subdivision.hpp"
@@ -118,6 +119,19 @@ public:
   /// Names found so far.
   std::vector<std::string> const& names() const { return names_; }
 
+  /// Of each name: its cylinder, if it has that one shape only.
+  std::vector<std::optional<CylinderShape>> cylinders() const {
+    std::vector<std::optional<CylinderShape>> found;
+    for (std::string const& name : names_) {
+      bool const is_one = std::ranges::count(options_.surfaces, name, &NamedShape::name) == 1 &&
+                          name != options_.other_surface;
+      auto const named = std::ranges::find(options_.surfaces, name, &NamedShape::name);
+      auto const* cylinder = is_one ? std::get_if<CylinderShape>(&named->shape) : nullptr;
+      found.push_back(cylinder ? std::optional(*cylinder) : std::nullopt);
+    }
+    return found;
+  }
+
 private:
   unsigned number(std::string const& name) {
     auto const found = std::ranges::find(names_, name);
@@ -166,6 +180,17 @@ void mesh_inside(double size) {
   gmsh::model::mesh::generate(3);
 }
 
+HexMesh cut(Nodes const& nodes, std::map<int, unsigned> const& surface_of,
+            std::vector<std::string> const& names) {
+  TetSubdivision cut(nodes.positions);
+  for (auto const& corners : nodes.elements<4>(tetrahedron, -1))
+    cut.add_tetrahedron(corners);
+  for (auto const& [patch, surface] : surface_of)
+    for (auto const& corners : nodes.elements<3>(triangle, patch))
+      cut.add_triangle(corners, surface);
+  return cut.take(names);
+}
+
 StlBody mesh_body(std::filesystem::path const& file, StlOptions const& options) {
   std::string const where = file.string();
   gmsh::merge(where);
@@ -175,21 +200,16 @@ StlBody mesh_body(std::filesystem::path const& file, StlOptions const& options) 
   auto const surface_of = name_patches(options, name);
   mesh_inside(options.cell_size / options.length_unit);
 
-  Nodes const nodes(options.length_unit);
-  double const gap = largest_gap(skin, nodes.triangles());
+  HexMesh mesh = cut(Nodes(options.length_unit), surface_of, name.names());
+  curve_onto(mesh, name.cylinders());
+  double const gap = largest_gap(skin, skin_of(mesh));
   VALIDATE(gap <= options.gap_tolerance,
            where + ": the mesh leaves the STL by " + quote(gap) + " m (allowed " +
                quote(options.gap_tolerance) +
                " m; grains would touch another shape than the one that yields). Make the cell size "
                "of " +
-               quote(options.cell_size) + " m smaller?");
-  TetSubdivision cut(nodes.positions);
-  for (auto const& corners : nodes.elements<4>(tetrahedron, -1))
-    cut.add_tetrahedron(corners);
-  for (auto const& [patch, surface] : surface_of)
-    for (auto const& corners : nodes.elements<3>(triangle, patch))
-      cut.add_triangle(corners, surface);
-  return {cut.take(name.names()), gap};
+               quote(options.cell_size) + " m smaller, or the STL's own facets?");
+  return {std::move(mesh), gap};
 }
 } // namespace
 

@@ -1,5 +1,7 @@
 #include "continuum/tool/tet_subdivision.hpp"
 
+#include "continuum/tool/curved_skin.hpp"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -47,16 +49,7 @@ void TetSubdivision::add_triangle(std::array<unsigned, 3> const& corners, unsign
 HexMesh TetSubdivision::take(std::vector<std::string> surfaces) {
   mesh_.surfaces = std::move(surfaces);
   mesh_.regions.assign(mesh_.cells.size(), 0);
-  for (auto const& cell : mesh_.cells)
-    mesh_.nodes.push_back(cell_nodes([&](unsigned i, unsigned j, unsigned k) {
-      Eigen::Vector3d position = Eigen::Vector3d::Zero(); // trilinear
-      for (unsigned v = 0; v < 8; ++v) {
-        auto const weight = [](unsigned at, unsigned end) { return 0.5 * (end ? at : 2 - at); };
-        position +=
-            weight(i, v % 2) * weight(j, v / 2 % 2) * weight(k, v / 4) * mesh_.vertices[cell[v]];
-      }
-      return position;
-    }));
+  straighten(mesh_);
   return std::move(mesh_);
 }
 

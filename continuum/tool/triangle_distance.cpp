@@ -37,13 +37,15 @@ public:
 
   double distance(Eigen::Vector3d const& x) const {
     double least = std::numeric_limits<double>::infinity();
-    // Boxes come by ascending distance: behind one beyond the closest triangle there is none.
-    for (auto found = tree_.qbegin(bg::index::nearest(to_point(x), surface_.corners.size()));
-         found != tree_.qend(); ++found) {
-      if (bg::distance(found->first, to_point(x)) > least)
-        break;
-      least = std::min(least, (closest_point(triangle(surface_, found->second), x) - x).norm());
-    }
+    auto const look_at = [&](Entry const& entry) {
+      least = std::min(least, (closest_point(triangle(surface_, entry.second), x) - x).norm());
+    };
+    // The triangle of the nearest box bounds the distance; only boxes within it can hold a closer.
+    // One ordered query for all would sort what it has found at every leaf.
+    std::for_each(tree_.qbegin(bg::index::nearest(to_point(x), 1)), tree_.qend(), look_at);
+    Eigen::Vector3d const reach = Eigen::Vector3d::Constant(least);
+    Box const near(to_point(x - reach), to_point(x + reach));
+    std::for_each(tree_.qbegin(bg::index::intersects(near)), tree_.qend(), look_at);
     return least;
   }
 
