@@ -58,7 +58,7 @@ std::string read_mode(CaseReader& read) {
   return read.choice("Mode");
 }
 
-ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode) {
+ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode, Tooling const& tooling) {
   static std::map<std::string, CouplingMode> const modes{
       {"rigid", CouplingMode::rigid},
       {"one_way", CouplingMode::one_way},
@@ -90,7 +90,7 @@ ElasticTools read_elastic_tools(CaseReader& read, std::string const& mode) {
                                                      : Accelerator::iqn_ils,
                                   .tolerance = read.number(at + "Tolerance"),
                                   .most_iterations = read.count(at + "Largest iterations")}};
-  read_tool_shapes(read, tools);
+  read_tool_shapes(read, tools, tooling);
   return tools;
 }
 
@@ -154,7 +154,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.powder = read_powder(read);
   result.contacts = read_contacts(read);
   result.tooling = read_tooling(read);
-  result.elastic = read_elastic_tools(read, result.mode);
+  result.elastic = read_elastic_tools(read, result.mode, result.tooling);
   result.frame = read_frame(read);
   result.stages = read_stages(read);
   result.time_stepping = read_time_stepping(read);

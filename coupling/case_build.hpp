@@ -10,7 +10,8 @@ std::string read_mode(CaseReader& read);
 Powder read_powder(CaseReader& read);
 Contacts read_contacts(CaseReader& read);
 Tooling read_tooling(CaseReader& read);
-void read_tool_shapes(CaseReader& read, ElasticTools& tools); ///< fills shapes and ring
+/// Fills shapes and ring.
+void read_tool_shapes(CaseReader& read, ElasticTools& tools, Tooling const& tooling);
 std::vector<Stage> read_stages(CaseReader& read);
 
 /// The whole case, checked, with its resolved text.

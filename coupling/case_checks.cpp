@@ -157,15 +157,11 @@ void CaseCheck::tooling() const {
         "Tooling/Chordal tolerance",
         fmt::format("is too coarse for the bore ({} mm). Take less than a twentieth of it?",
                     brief(1e3 * tooling.bore_diameter)));
-  if (case_.elastic.coupling.mode != CouplingMode::rigid) {
-    std::string const reason =
-        fmt::format("cannot deform (Mode = {} needs tools made from their dimensions)", case_.mode);
-    if (tooling.walls == WallKind::analytic)
-      read_.refuse("Tooling/Walls", reason + ". Set Walls = surface, or Mode = rigid?");
-    for (std::string const name : {"Die file", "Upper punch file", "Lower punch file"})
-      if (!read_.resolved().at("Tooling/" + name).empty())
-        read_.refuse("Tooling/" + name, reason + ". Leave it out, or Mode = rigid?");
-  }
+  if (case_.elastic.coupling.mode != CouplingMode::rigid && tooling.walls == WallKind::analytic)
+    read_.refuse("Tooling/Walls",
+                 fmt::format("cannot deform (Mode = {} needs tools with surfaces). Set Walls = "
+                             "surface, or Mode = rigid?",
+                             case_.mode));
   if (tooling.walls != WallKind::analytic)
     return;
   for (std::string const name : {"Die file", "Upper punch file", "Lower punch file"})

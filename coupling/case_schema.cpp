@@ -166,8 +166,9 @@ std::vector<Entry> elastic_entries() {
   std::string const at = "Deformable tools/";
   return {
       {at + "Young's modulus", quantity, modulus, "210 GPa", within(1e5, 1e18), "",
-       "Young's modulus of the tools as bodies; at a contact Tooling's counts. Used unless Mode = "
-       "rigid, like all here."},
+       "Young's modulus of the tools as bodies; at a contact Tooling's counts. Mode = rigid takes "
+       "the "
+       "shapes of this section and nothing else."},
       {at + "Poisson's ratio", quantity, ratio, "0.3", poisson_range, "",
        "Poisson's ratio of the tools as bodies."},
       {at + "Yield strength", quantity, modulus, "0 MPa", within(0.0, 1e12), "",
@@ -220,6 +221,9 @@ std::vector<Entry> tool_shape_entries() {
        "gmsh file of the lower punch with surfaces face, at z = 0, and back; empty: made."},
       {at + "Mesh scale", quantity, length, "1 m", above_up_to(0.0, 1.0), "",
        "Length of one unit of the mesh files: 1 mm for a drawing in millimetres."},
+      {at + "Largest gap", quantity, length, "0.05 mm", above_up_to(0.0, 1e-2), "",
+       "Largest distance between Tooling's STL of a tool, which grains touch, and the mesh "
+       "behind."},
   };
 }
 

@@ -21,9 +21,14 @@ void read_mesh_files(CaseReader& read, ElasticToolShapes& shapes) {
   read.refuse_unread(at + "Mesh scale", "no mesh file is named");
 }
 
-/// The ring of a die that is made has a thickness; of one from a file, a material.
-void read_ring(CaseReader& read, ElasticTools& tools) {
+/// The ring of a die that is made has a thickness; of one from a mesh file, a material; an STL has
+/// no second region.
+void read_ring(CaseReader& read, ElasticTools& tools, bool is_stl) {
   std::string const modulus = at + "Ring Young's modulus", ratio = at + "Ring Poisson's ratio";
+  if (is_stl && tools.shapes.die_file.empty()) {
+    read.refuse_unread(at + "Ring", "Tooling/Die file is an STL of one body");
+    return;
+  }
   bool const is_made = tools.shapes.die_file.empty();
   if (is_made)
     tools.shapes.ring_thickness = read.number(at + "Ring thickness");
@@ -83,33 +88,44 @@ void check_cup(Case const& setup, CaseReader const& read, continuum::ConcaveFace
                                               millimetres(deepest)));
 }
 
+void refuse_shapes_of_analytic_walls(ElasticToolShapes const& shapes, CaseReader const& read) {
+  std::string const reason = "is not used (Tooling/Walls = analytic has a plain cylinder and "
+                             "planes). Set Walls = surface?";
+  for (auto const& [entry, file] : {std::pair{"Die mesh file", &shapes.die_file},
+                                    {"Upper punch mesh file", &shapes.upper_punch_file},
+                                    {"Lower punch mesh file", &shapes.lower_punch_file}})
+    if (!file->empty())
+      read.refuse(at + entry, reason);
+  if (!std::holds_alternative<continuum::FlatFace>(shapes.punch_face))
+    read.refuse(at + "Punch face", reason);
+}
+
 } // namespace
 
-void read_tool_shapes(CaseReader& read, ElasticTools& tools) {
-  if (tools.coupling.mode != CouplingMode::rigid) {
-    read_mesh_files(read, tools.shapes);
-    read_ring(read, tools);
-    read_punch_face(read, tools.shapes);
-    return;
-  }
-  std::string const reason = "Mode = rigid makes its tools of Tooling's entries alone";
-  if (read.choice(at + "Punch face") != "flat") // a choice has no zero that refuse_unread lets pass
-    read.refuse(at + "Punch face", fmt::format("is not used ({}). Remove it?", reason));
-  read.refuse_unread(at, reason);
+void read_tool_shapes(CaseReader& read, ElasticTools& tools, Tooling const& tooling) {
+  read_mesh_files(read, tools.shapes);
+  read_ring(read, tools, !tooling.die_file.empty());
+  read_punch_face(read, tools.shapes);
+  tools.shapes.largest_gap = read.number(at + "Largest gap");
 }
 
 void check_tool_shapes(Case const& setup, CaseReader const& read) {
   ElasticToolShapes const& shapes = setup.elastic.shapes;
-  bool const has_upper = !shapes.upper_punch_file.empty();
-  bool const has_lower = !shapes.lower_punch_file.empty();
-  if (!shapes.die_file.empty() && setup.elastic.die_support == ToolSupport::rollers)
-    read.refuse(at + "Die support", "leaves a die from a mesh file free to turn about z (a "
+  Tooling const& tooling = setup.tooling;
+  bool const has_die = !shapes.die_file.empty() || !tooling.die_file.empty();
+  bool const has_upper = !shapes.upper_punch_file.empty() || !tooling.upper_punch_file.empty();
+  bool const has_lower = !shapes.lower_punch_file.empty() || !tooling.lower_punch_file.empty();
+  bool const is_rigid = setup.elastic.coupling.mode == CouplingMode::rigid;
+  if (tooling.walls == WallKind::analytic)
+    refuse_shapes_of_analytic_walls(shapes, read);
+  if (!is_rigid && has_die && setup.elastic.die_support == ToolSupport::rollers)
+    read.refuse(at + "Die support", "leaves a die from a file free to turn about z (a "
                                     "mechanism; such a mesh has no pins). Set it to clamped?");
-  if ((has_upper || has_lower) && setup.elastic.punch_support == ToolSupport::rollers)
-    read.refuse(at + "Punch support", "leaves a punch from a mesh file free to turn about z (a "
+  if (!is_rigid && (has_upper || has_lower) && setup.elastic.punch_support == ToolSupport::rollers)
+    read.refuse(at + "Punch support", "leaves a punch from a file free to turn about z (a "
                                       "mechanism; such a mesh has no pins). Set it to clamped?");
   if (has_upper && has_lower && !std::holds_alternative<continuum::FlatFace>(shapes.punch_face))
-    read.refuse(at + "Punch face", "is not used (both punches come from mesh files). Remove it?");
+    read.refuse(at + "Punch face", "is not used (both punches come from files). Remove it?");
   if (auto const* bevel = std::get_if<continuum::BevelledFace>(&shapes.punch_face))
     check_bevel(setup, read, *bevel);
   if (auto const* cup = std::get_if<continuum::ConcaveFace>(&shapes.punch_face))

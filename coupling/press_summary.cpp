@@ -47,8 +47,12 @@ void append_coupling_checks(Press const& press, std::vector<Check>& checks) {
   double gap = 0.0;
   for (std::size_t t = 0; t < coupling.n_tools(); ++t)
     gap = std::max(gap, coupling.tool(t).gap);
-  checks.push_back(upper_bound("gap between meshes of tools and what grains touch [m]", gap,
-                               press.setup.tooling.chordal_tolerance));
+  Tooling const& tooling = press.setup.tooling;
+  bool const is_drawn = !tooling.die_file.empty() || !tooling.upper_punch_file.empty() ||
+                        !tooling.lower_punch_file.empty();
+  checks.push_back(
+      upper_bound("gap between meshes of tools and what grains touch [m]", gap,
+                  is_drawn ? press.setup.elastic.shapes.largest_gap : tooling.chordal_tolerance));
   checks.push_back(upper_bound("transfer, force", kept.force, transfer_tolerance));
   checks.push_back(upper_bound("transfer, moment", kept.moment, transfer_tolerance));
   if (mode == CouplingMode::one_way) {

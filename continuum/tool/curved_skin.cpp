@@ -13,6 +13,8 @@ namespace {
 // A node by the vertices that it stands in the middle of, ascending: one, two or four.
 using NodeName = std::vector<unsigned>;
 
+constexpr int n_sweeps = 50; // a move reaches some seven cells deep
+
 Eigen::Vector3d onto(CylinderShape const& cylinder, Eigen::Vector3d const& x) {
   Eigen::Vector3d const axis = cylinder.axis.normalized();
   Eigen::Vector3d const along = axis * axis.dot(x - cylinder.point);
@@ -42,13 +44,38 @@ std::array<unsigned, 3> place_of(unsigned node) {
   return {node % 3, node / 3 % 3, node / 9};
 }
 
+// The vertices inside follow those of the boundary: each by the mean of its neighbours' moves, so
+// that a flat cell beside a round surface is pushed along and not through.
+void follow(HexMesh& mesh, std::vector<Eigen::Vector3d> const& from) {
+  std::vector<bool> is_inside(mesh.vertices.size(), true);
+  for (HexMesh::Quad const& quad : mesh.boundary)
+    for (unsigned const v : quad.vertices)
+      is_inside[v] = false;
+  std::vector<std::vector<unsigned>> neighbours(mesh.vertices.size());
+  for (auto const& cell : mesh.cells)
+    for (unsigned v = 0; v < 8; ++v)
+      for (unsigned const side : {1u, 2u, 4u})
+        if (is_inside[cell[v]])
+          neighbours[cell[v]].push_back(cell[v ^ side]);
+  for (int sweep = 0; sweep < n_sweeps; ++sweep)
+    for (std::size_t v = 0; v < neighbours.size(); ++v) {
+      Eigen::Vector3d moved = Eigen::Vector3d::Zero();
+      for (unsigned const w : neighbours[v])
+        moved += mesh.vertices[w] - from[w];
+      if (!neighbours[v].empty())
+        mesh.vertices[v] = from[v] + moved / static_cast<double>(neighbours[v].size());
+    }
+}
+
 // Where the nodes of round surfaces go. A name with one vertex moves that vertex.
 std::map<NodeName, Eigen::Vector3d>
 round_nodes(HexMesh& mesh, std::vector<std::optional<CylinderShape>> const& cylinders) {
+  auto const from = mesh.vertices;
   for (HexMesh::Quad const& quad : mesh.boundary)
     if (auto const& cylinder = cylinders[quad.surface])
       for (unsigned const v : quad.vertices)
         mesh.vertices[v] = onto(*cylinder, mesh.vertices[v]);
+  follow(mesh, from);
   std::map<NodeName, Eigen::Vector3d> moved;
   for (HexMesh::Quad const& quad : mesh.boundary)
     if (auto const& cylinder = cylinders[quad.surface])

@@ -180,14 +180,53 @@ void mesh_inside(double size) {
   gmsh::model::mesh::generate(3);
 }
 
-HexMesh cut(Nodes const& nodes, std::map<int, unsigned> const& surface_of,
-            std::vector<std::string> const& names) {
-  TetSubdivision cut(nodes.positions);
-  for (auto const& corners : nodes.elements<4>(tetrahedron, -1))
-    cut.add_tetrahedron(corners);
+struct TetMesh {
+  std::vector<std::array<unsigned, 4>> tetrahedra;
+  std::map<std::array<unsigned, 3>, unsigned> skin; // surface of a triangle, its corners ascending
+};
+
+TetMesh tetrahedra_of(Nodes const& nodes, std::map<int, unsigned> const& surface_of) {
+  TetMesh mesh{.tetrahedra = nodes.elements<4>(tetrahedron, -1), .skin = {}};
   for (auto const& [patch, surface] : surface_of)
-    for (auto const& corners : nodes.elements<3>(triangle, patch))
-      cut.add_triangle(corners, surface);
+    for (auto corners : nodes.elements<3>(triangle, patch)) {
+      std::ranges::sort(corners);
+      mesh.skin[corners] = surface;
+    }
+  return mesh;
+}
+
+std::array<std::array<unsigned, 3>, 4> faces_of(std::array<unsigned, 4> corners) {
+  std::ranges::sort(corners);
+  auto const& [a, b, c, d] = corners;
+  return {{{a, b, c}, {a, b, d}, {a, c, d}, {b, c, d}}};
+}
+
+// A tetrahedron with two faces on one round surface lies between two ways of parting it into
+// triangles, and has no body once it is round: it goes, and its other faces are the surface.
+void drop_flat_ones(TetMesh& mesh, std::vector<std::optional<CylinderShape>> const& cylinders) {
+  std::erase_if(mesh.tetrahedra, [&](std::array<unsigned, 4> const& corners) {
+    std::vector<std::array<unsigned, 3>> outside, inside;
+    for (auto const& face : faces_of(corners))
+      (mesh.skin.contains(face) ? outside : inside).push_back(face);
+    if (outside.size() != 2)
+      return false;
+    unsigned const surface = mesh.skin.at(outside[0]);
+    if (!cylinders[surface] || mesh.skin.at(outside[1]) != surface)
+      return false;
+    for (auto const& face : outside)
+      mesh.skin.erase(face);
+    for (auto const& face : inside)
+      mesh.skin[face] = surface;
+    return true;
+  });
+}
+
+HexMesh cut(Nodes const& nodes, TetMesh const& mesh, std::vector<std::string> const& names) {
+  TetSubdivision cut(nodes.positions);
+  for (auto const& corners : mesh.tetrahedra)
+    cut.add_tetrahedron(corners);
+  for (auto const& [corners, surface] : mesh.skin)
+    cut.add_triangle(corners, surface);
   return cut.take(names);
 }
 
@@ -200,7 +239,10 @@ StlBody mesh_body(std::filesystem::path const& file, StlOptions const& options) 
   auto const surface_of = name_patches(options, name);
   mesh_inside(options.cell_size / options.length_unit);
 
-  HexMesh mesh = cut(Nodes(options.length_unit), surface_of, name.names());
+  Nodes const nodes(options.length_unit);
+  TetMesh tetrahedra = tetrahedra_of(nodes, surface_of);
+  drop_flat_ones(tetrahedra, name.cylinders());
+  HexMesh mesh = cut(nodes, tetrahedra, name.names());
   curve_onto(mesh, name.cylinders());
   double const gap = largest_gap(skin, skin_of(mesh));
   VALIDATE(gap <= options.gap_tolerance,

@@ -30,7 +30,8 @@ struct ElasticToolShapes {
   decltype(continuum::PunchShape::face) punch_face = continuum::FlatFace{}; ///< of both punches
   /// gmsh files that replace a tool's dimensions; empty: none. A punch's face is at z = 0.
   std::filesystem::path die_file, upper_punch_file, lower_punch_file;
-  double mesh_scale = 1.0; ///< [m] per unit of these files
+  double mesh_scale = 1.0;   ///< [m] per unit of these files
+  double largest_gap = 5e-5; ///< [m], between Tooling's STL of a tool and the mesh behind it
 };
 
 /// The tools as elastic bodies. Their modulus here is that of the body; the one at a contact is

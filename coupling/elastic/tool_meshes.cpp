@@ -85,6 +85,29 @@ void check_punch(Case const& setup, continuum::ToolMesh const& mesh, std::string
                        is_upper ? "above" : "below"));
 }
 
+/// A body inside the STL; what is on none of its planes and cylinders is `other`.
+continuum::ToolMesh mesh_of(Case const& setup, std::string const& entry,
+                            std::filesystem::path const& file, StlTool const& tool,
+                            std::string const& other, std::string const& held) {
+  try {
+    auto made =
+        continuum::ToolMesh::from_stl(file, {.cell_size = setup.elastic.cell_size,
+                                             .gap_tolerance = setup.elastic.shapes.largest_gap,
+                                             .length_unit = setup.tooling.stl_scale,
+                                             .feature_angle = dem::default_smooth_angle,
+                                             .surfaces = tool.shapes(),
+                                             .other_surface = other});
+    VALIDATE(std::ranges::count(made.mesh.surfaces(), held) == 1,
+             fmt::format("{}: no plane square to the z axis at the tool's end (its '{}', by which "
+                         "it is held). Bring a mesh file with named surfaces instead?",
+                         file.string(), held));
+    return std::move(made.mesh);
+  } catch (continuum::InvalidInput const& problem) {
+    throw dem::InvalidInput(
+        fmt::format("{}: Tooling/{}: {}", setup.file.string(), entry, problem.what()));
+  }
+}
+
 std::vector<continuum::ElasticMaterial> die_materials(Case const& setup,
                                                       continuum::ToolMesh const& mesh) {
   ElasticTools const& elastic = setup.elastic;
@@ -102,12 +125,19 @@ std::vector<continuum::ElasticMaterial> die_materials(Case const& setup,
 ToolBody make_die_body(Case const& setup) {
   Tooling const& t = setup.tooling;
   ElasticToolShapes const& shapes = setup.elastic.shapes;
+  std::optional<StlTool> stl;
+  if (!t.die_file.empty())
+    stl = read_stl_die(setup);
   if (!shapes.die_file.empty()) {
     auto mesh = read_mesh(setup, "Die mesh file", shapes.die_file, {"bore", "bottom"});
     check_bore(setup, mesh);
     auto materials = die_materials(setup, mesh);
-    return {.mesh = std::move(mesh), .materials = std::move(materials)};
+    return {.mesh = std::move(mesh), .materials = std::move(materials), .stl = std::move(stl)};
   }
+  if (stl)
+    return {.mesh = mesh_of(setup, "Die file", t.die_file, *stl, "rest", "bottom"),
+            .materials = {setup.elastic.material},
+            .stl = std::move(stl)};
   double const radius = 0.5 * t.bore_diameter;
   continuum::DieShape shape{
       .bore_radius = radius, .outer_radius = radius + t.wall_thickness, .height = t.die_height};
@@ -123,9 +153,16 @@ ToolBody make_punch_body(Case const& setup, continuum::PunchPlace place) {
   ElasticToolShapes const& shapes = setup.elastic.shapes;
   bool const is_upper = place == continuum::PunchPlace::upper;
   auto const& file = is_upper ? shapes.upper_punch_file : shapes.lower_punch_file;
-  auto const with_material = [&](continuum::ToolMesh mesh) {
+  auto const& stl_file = is_upper ? setup.tooling.upper_punch_file : setup.tooling.lower_punch_file;
+  std::optional<StlTool> stl;
+  if (!stl_file.empty())
+    stl = read_stl_punch(setup, place);
+  auto const with_material = [&](continuum::ToolMesh mesh, double height = 0.0) {
     std::size_t const n = mesh.n_regions();
-    return ToolBody{.mesh = std::move(mesh), .materials = {n, setup.elastic.material}};
+    return ToolBody{.mesh = std::move(mesh),
+                    .materials = {n, setup.elastic.material},
+                    .height = height,
+                    .stl = std::move(stl)};
   };
   if (!file.empty()) {
     auto mesh = read_mesh(setup, is_upper ? "Upper punch mesh file" : "Lower punch mesh file", file,
@@ -133,12 +170,25 @@ ToolBody make_punch_body(Case const& setup, continuum::PunchPlace place) {
     check_punch(setup, mesh, file.string(), place);
     return with_material(std::move(mesh));
   }
+  if (stl)
+    return with_material(mesh_of(setup, is_upper ? "Upper punch file" : "Lower punch file",
+                                 stl_file, *stl, "face", "back"),
+                         stl->height);
   continuum::PunchShape const shape{.radius = 0.5 * setup.tooling.bore_diameter,
                                     .length = setup.tooling.punch_length,
                                     .place = place,
                                     .face = shapes.punch_face};
   return with_material(
       continuum::ToolMesh::punch(shape, continuum::cells_of_size(shape, setup.elastic.cell_size)));
+}
+
+dem::TriangleSurface surface_of(continuum::TraceTriangles const& mesh, dem::Vec3 const& offset) {
+  dem::TriangleSurface surface;
+  for (auto const& vertex : mesh.vertices)
+    surface.vertices.push_back(vertex + offset);
+  for (auto const& corners : mesh.triangles)
+    surface.triangles.push_back(corners);
+  return surface;
 }
 
 } // namespace coupling

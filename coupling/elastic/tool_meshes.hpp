@@ -2,8 +2,10 @@
 
 #include "continuum/tool/tool_mesh.hpp"
 #include "coupling/case.hpp"
+#include "coupling/stl_tools.hpp"
+#include "dem/surface/triangle_surface.hpp"
 
-#include <string>
+#include <optional>
 #include <vector>
 
 namespace coupling {
@@ -12,11 +14,13 @@ namespace coupling {
 struct ToolBody {
   continuum::ToolMesh mesh;
   std::vector<continuum::ElasticMaterial> materials; ///< one a region of the mesh
+  double height = 0.0;             ///< [m], of the own frame's z = 0 in the frame of the mesh
+  std::optional<StlTool> stl = {}; ///< what grains touch instead of the mesh's own trace
 };
 
-/// The case's die: from its dimensions, with a bonded ring as a second region, or from its mesh
-/// file. A bore from a file must be the case's within 1 % about the z axis, begin at the lower
-/// punch's face or below, z <= 0, and reach the fill height.
+/// The case's die: from its mesh file, else from Tooling's STL by gmsh, else from its dimensions,
+/// with a bonded ring as a second region. A bore from a file must be the case's within 1 % about
+/// the z axis, begin at the lower punch's face or below, z <= 0, and reach the fill height.
 /// @throws dem::InvalidInput  naming the file: if it cannot be used or is another die
 /// @throws continuum::InvalidInput  if the dimensions make no die
 ToolBody make_die_body(Case const& setup);
@@ -25,5 +29,9 @@ ToolBody make_die_body(Case const& setup);
 /// a file must fit the bore within 1 % and have its back on the far side of the face.
 /// @throws  as make_die_body
 ToolBody make_punch_body(Case const& setup, continuum::PunchPlace place);
+
+/// A triangulated trace as what grains touch.
+/// @param offset  [m], from the frame of the mesh
+dem::TriangleSurface surface_of(continuum::TraceTriangles const& mesh, dem::Vec3 const& offset);
 
 } // namespace coupling

@@ -62,15 +62,6 @@ continuum::InterfaceCompliance condensed(continuum::ElasticTool const& body,
   }
 }
 
-dem::TriangleSurface triangles_of(continuum::TraceTriangles const& mesh, dem::Vec3 const& offset) {
-  dem::TriangleSurface surface;
-  for (auto const& vertex : mesh.vertices)
-    surface.vertices.push_back(vertex + offset);
-  for (auto const& corners : mesh.triangles)
-    surface.triangles.push_back(corners);
-  return surface;
-}
-
 /// The patches whose triangles lie on the named surface of the trace.
 std::vector<std::uint32_t> patches_on(std::string const& name, dem::SmoothSurface const& touched,
                                       continuum::SurfaceTrace const& boundary,
@@ -84,22 +75,56 @@ std::vector<std::uint32_t> patches_on(std::string const& name, dem::SmoothSurfac
   return patches;
 }
 
+/// What grains touch of a tool, and which of its patches stand for the pressed surface.
+struct Touched {
+  dem::SmoothSurface surface;
+  std::vector<std::uint32_t> patches;
+};
+
+Touched touched_trace(Case const& setup, std::string const& name, std::string const& pressed,
+                      continuum::ToolMesh const& mesh, dem::Vec3 const& offset) {
+  auto const boundary = mesh.boundary();
+  auto const triangles = boundary.triangulate(setup.tooling.chordal_tolerance);
+  dem::SmoothSurface surface(surface_of(triangles, offset));
+  refuse_smooth_rim(fmt::format("{}: deformable tools: {}", setup.file.string(), name), pressed,
+                    boundary, triangles);
+  auto patches = patches_on(pressed, surface, boundary, triangles);
+  return {.surface = std::move(surface), .patches = std::move(patches)};
+}
+
+Touched touched_stl(StlTool const& stl, std::string const& pressed, double z) {
+  Touched touched{.surface = moved_along_axis(stl.surface, z), .patches = {}};
+  for (std::uint32_t patch = 0; patch < stl.names.size(); ++patch)
+    if (stl.names[patch] == pressed)
+      touched.patches.push_back(patch);
+  return touched;
+}
+
+/// The STL may be another tool's than the mesh behind it.
+void check_gap(Case const& setup, ToolBody const& from, std::string const& name,
+               std::string const& pressed, double gap) {
+  double const allowed = setup.elastic.shapes.largest_gap;
+  VALIDATE(!from.stl || gap <= allowed,
+           fmt::format("{}: deformable tools: {}: the mesh and Tooling's STL are {:.3g} m apart on "
+                       "'{}' (Largest gap = {:.3g} m; grains would touch another shape than the "
+                       "one that yields). Are they the same tool, in the same unit?",
+                       setup.file.string(), name, gap, pressed, allowed));
+}
+
 ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
                       ToolBody const& from, continuum::Supports const& supports, double z) {
   continuum::ToolMesh const& mesh = from.mesh;
-  auto const& tooling = setup.tooling;
-  dem::Vec3 const offset(0.0, 0.0, z);
-  auto const boundary = mesh.boundary();
-  auto const triangles = boundary.triangulate(tooling.chordal_tolerance);
-  dem::SmoothSurface touched(triangles_of(triangles, offset));
-  auto patches = patches_on(pressed, touched, boundary, triangles);
-  refuse_smooth_rim(fmt::format("{}: deformable tools: {}", setup.file.string(), name), pressed,
-                    boundary, triangles);
+  dem::Vec3 const offset(0.0, 0.0, z - from.height);
+  Touched touched = from.stl ? touched_stl(*from.stl, pressed, z)
+                             : touched_trace(setup, name, pressed, mesh, offset);
   continuum::ElasticTool body(mesh, from.materials, supports);
-  auto compliance = condensed(body, pressed);
-  auto surface = std::make_shared<ElasticSurface>(mesh.trace(pressed), offset, std::move(patches));
+  auto surface =
+      std::make_shared<ElasticSurface>(mesh.trace(pressed), offset, std::move(touched.patches));
   Eigen::Matrix3Xd const pressure_loads = surface->trace().pressure_loads(1.0);
   double const area = surface->trace().area();
+  double const gap = largest_gap(touched.surface, *surface, offset);
+  check_gap(setup, from, name, pressed, gap);
+  auto compliance = condensed(body, pressed);
   auto tool = std::make_shared<YieldingTool>(YieldingTool{.name = std::move(name),
                                                           .pressed = std::move(pressed),
                                                           .body = std::move(body),
@@ -107,12 +132,11 @@ ElasticPair make_pair(Case const& setup, std::string name, std::string pressed,
                                                           .surface = std::move(surface),
                                                           .offset = offset,
                                                           .pressure_loads = pressure_loads,
-                                                          .area = area});
+                                                          .area = area,
+                                                          .gap = gap});
   tool->uniform_compliance = tool->retreat(tool->compliance.displacement(pressure_loads)) /
                              tool->pressing_force(pressure_loads);
-  ElasticPair pair{.touched = std::move(touched), .body = tool};
-  tool->gap = largest_gap(pair);
-  return pair;
+  return {.touched = std::move(touched.surface), .body = tool};
 }
 
 continuum::Supports supports_of(std::string const& surface, ToolSupport support) {
@@ -161,16 +185,17 @@ std::vector<ElasticPair> make_yielding_tools(Case const& setup) {
   }
 }
 
-double largest_gap(ElasticPair const& tool) {
-  auto const& trace = tool.body->surface->trace();
+double largest_gap(dem::SmoothSurface const& touched, ElasticSurface const& surface,
+                   dem::Vec3 const& offset) {
+  auto const& trace = surface.trace();
+  double const reach = 0.1 * std::sqrt(trace.area());
   double largest = 0.0;
   std::vector<dem::SurfacePoint> found;
   for (std::uint32_t face = 0; face < trace.faces.size(); ++face)
     for (double const xi : {0.113, 0.5, 0.887})
       for (double const eta : {0.113, 0.5, 0.887}) {
-        dem::Vec3 const point = trace.position(face, xi, eta) + tool.body->offset;
         found.clear();
-        tool.touched.find(point, 0.1 * std::sqrt(tool.body->area), found);
+        touched.find(trace.position(face, xi, eta) + offset, reach, found);
         double nearest = std::numeric_limits<double>::infinity();
         for (auto const& at : found)
           nearest = std::min(nearest, std::abs(at.distance));

@@ -12,7 +12,8 @@
 
 namespace coupling {
 
-/// A tool of the press as an elastic body: what grains touch is the trace of its FE mesh.
+/// A tool of the press as an elastic body: what grains touch is the trace of its FE mesh, or an STL
+/// within a stated gap of it.
 /// Immutable but for the course of its surface.
 struct YieldingTool {
   std::string name;    ///< "die", "upper_punch", "lower_punch"
@@ -35,17 +36,19 @@ struct YieldingTool {
 
 /// A tool that grains touch, and the body behind it.
 struct ElasticPair {
-  dem::SmoothSurface touched; ///< the trace of the whole mesh as triangles, where it stands at rest
+  dem::SmoothSurface touched; ///< the whole tool as triangles, where it stands at rest
   std::shared_ptr<YieldingTool const> body;
 };
 
-/// The press's die, upper and lower punch (in this order) from the case's dimensions or mesh files
-/// (tool_meshes.hpp); operators are read from the user's cache folder where they are.
+/// The press's die, upper and lower punch (in this order) from the case's dimensions, mesh files or
+/// STL files (tool_meshes.hpp); operators are read from the user's cache folder where they are.
 /// @throws dem::InvalidInput  if a tool cannot be meshed or held, or does not fit the press
 std::vector<ElasticPair> make_yielding_tools(Case const& setup);
 
 /// Largest distance between the FE surface and the shape that grains follow on it [m], at Gauss
 /// points: facets of a round surface are recognised as what they tessellate.
-double largest_gap(ElasticPair const& tool);
+/// @param offset  [m], from the frame of the mesh to that of what grains touch
+double largest_gap(dem::SmoothSurface const& touched, ElasticSurface const& surface,
+                   dem::Vec3 const& offset);
 
 } // namespace coupling

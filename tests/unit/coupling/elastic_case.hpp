@@ -2,6 +2,8 @@
 
 #include "coupling/case_file.hpp"
 #include "coupling/elastic/tool_meshes.hpp"
+#include "dem/surface/stl.hpp"
+#include "dem/surface/tool_shapes.hpp"
 #include "tests/support/msh_writer.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -14,8 +16,8 @@ namespace elastic_case {
 
 using Overrides = std::vector<std::string>;
 
-inline coupling::Case read(Overrides overrides) {
-  overrides.push_back("Deformable tools/Cell size=4 mm");
+inline coupling::Case read(Overrides overrides, std::string const& cell_size = "4 mm") {
+  overrides.push_back("Deformable tools/Cell size=" + cell_size);
   return coupling::parse_case("set Mode = one_way\n", "case.prm", overrides);
 }
 
@@ -40,6 +42,10 @@ inline continuum::HexMesh shifted(continuum::HexMesh mesh, Eigen::Vector3d const
   for (auto& vertex : mesh.vertices)
     vertex += by;
   return mesh;
+}
+
+inline dem::TriangleSurface die_surface(double radius) {
+  return dem::make_die(2.0 * radius, 20e-3, 10e-3, 1e-5);
 }
 
 /// A case whose mesh file, in mm, is this one.

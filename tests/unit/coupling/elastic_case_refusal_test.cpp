@@ -37,31 +37,18 @@ std::string refusal(FileCase const& file, Overrides const& more = {}) {
   return refusal(file.with(more), file.path());
 }
 
-std::string rigid_refusal(std::string const& entry) {
-  try {
-    Overrides const overrides = {at + entry};
-    parse_case("set Mode = rigid\n", "case.prm", overrides);
-    return "accepted";
-  } catch (dem::InvalidInput const& problem) {
-    return problem.what();
-  }
-}
+/// Refusals of a die from an STL.
+struct StlCase {
+  support::ScratchFolder folder;
 
-TEST(ElasticShapes, OfRigidToolsAreRefused) {
-  for (std::string const entry :
-       {"Ring thickness = 10 mm", "Ring Young's modulus = 70 GPa", "Ring Poisson's ratio = 0.2",
-        "Punch face = concave", "Bevel width = 1 mm", "Bevel depth = 1 mm", "Cup depth = 1 mm",
-        "Cup land = 1 mm", "Die mesh file = die.msh", "Upper punch mesh file = punch.msh",
-        "Lower punch mesh file = punch.msh", "Mesh scale = 1 mm"}) {
-    auto const equals = entry.find(" = ");
-    EXPECT_EQ(rigid_refusal(entry.substr(0, equals) + "=" + entry.substr(equals + 3)),
-              "--set: Deformable tools/" + entry +
-                  ": is not used (Mode = rigid makes its tools of Tooling's entries alone). Remove "
-                  "it?");
+  std::string refused_die(dem::TriangleSurface const& surface, Overrides overrides = {}) const {
+    auto const file = folder.path() / "die.stl";
+    dem::write_stl(file, surface, dem::StlFormat::ascii, 1e-3);
+    overrides.push_back("Tooling/Die file=" + file.string());
+    overrides.push_back("Tooling/STL scale=1 mm");
+    return refusal(overrides, file);
   }
-  EXPECT_EQ(rigid_refusal("Punch face=flat"), "accepted");
-  EXPECT_EQ(rigid_refusal("Ring thickness=0 mm"), "accepted");
-}
+};
 
 TEST(ElasticShapes, ThatDoNotApplyAreRefused) {
   EXPECT_EQ(refusal({at + "Cup depth=1 mm"}), "Deformable tools/Cup depth = 1 mm: is not used "
@@ -85,7 +72,7 @@ TEST(ElasticShapes, ThatDoNotApplyAreRefused) {
   std::string const same = file.path().string();
   EXPECT_EQ(refusal({at + "Upper punch mesh file=" + same, at + "Lower punch mesh file=" + same,
                      at + "Punch face=concave", at + "Cup depth=1 mm"}),
-            "Deformable tools/Punch face = concave: is not used (both punches come from mesh "
+            "Deformable tools/Punch face = concave: is not used (both punches come from "
             "files). Remove it?");
 }
 
@@ -122,14 +109,52 @@ TEST(ElasticShapes, ThatDoNotFitThePunchAreRefused) {
             "sharper, or name both as 'face'?");
 }
 
+TEST(ElasticShapes, OfAnalyticWallsAreRefused) {
+  auto const analytic = [](Overrides more) {
+    more.push_back("Tooling/Walls=analytic");
+    more.push_back("Mode=rigid");
+    return refusal(more);
+  };
+  std::string const reason = ": is not used (Tooling/Walls = analytic has a plain cylinder and "
+                             "planes). Set Walls = surface?";
+  EXPECT_EQ(analytic({at + "Punch face=concave", at + "Cup depth=1 mm"}),
+            "Deformable tools/Punch face = concave" + reason);
+  FileCase const file("Die mesh file", die());
+  EXPECT_EQ(refusal(file, {"Tooling/Walls=analytic", "Mode=rigid"}),
+            "Deformable tools/Die mesh file = FILE" + reason);
+}
+
+TEST(ElasticStl, ThatIsNoBodyOrAnotherToolIsRefused) {
+  StlCase const stl;
+  EXPECT_EQ(stl.refused_die(die_surface(0.8 * bore)),
+            "FILE: its bore of 0.01764 m diameter is not 'Tooling/Bore diameter' = 0.02205 m about "
+            "the z axis. Is 'STL scale' = 0.001 m right?");
+  auto open = die_surface(bore);
+  open.triangles.pop_back();
+  std::string const torn = stl.refused_die(open);
+  EXPECT_TRUE(torn.starts_with("case.prm: Tooling/Die file: FILE: the edge at (")) << torn;
+  EXPECT_NE(torn.find("Is there a hole, or a part twice?"), std::string::npos) << torn;
+  // the STL's round bore in front of a mesh of 32 straight cells: 53 um at their middles
+  FileCase const mesh("Die mesh file", die());
+  std::string const apart =
+      stl.refused_die(die_surface(bore), mesh.with({at + "Largest gap=0.04 mm"}));
+  EXPECT_TRUE(apart.starts_with("case.prm: deformable tools: die: the mesh and Tooling's STL are "))
+      << apart;
+  EXPECT_NE(apart.find(" m apart on 'bore' (Largest gap = 4e-05 m; "), std::string::npos) << apart;
+  EXPECT_EQ(
+      stl.refused_die(die_surface(bore), {at + "Ring thickness=5 mm"}),
+      "Deformable tools/Ring thickness = 5 mm: is not used (Tooling/Die file is an STL of one "
+      "body). Remove it?");
+}
+
 TEST(ElasticTools, WithoutSupportAreRefused) {
   FileCase const file("Die mesh file", die());
   EXPECT_EQ(refusal(file, {at + "Die support=rollers"}),
-            "Deformable tools/Die support = rollers: leaves a die from a mesh file free to turn "
+            "Deformable tools/Die support = rollers: leaves a die from a file free to turn "
             "about z (a mechanism; such a mesh has no pins). Set it to clamped?");
   FileCase const upper("Upper punch mesh file", punch(PunchPlace::upper));
   EXPECT_EQ(refusal(upper, {at + "Punch support=rollers"}),
-            "Deformable tools/Punch support = rollers: leaves a punch from a mesh file free to "
+            "Deformable tools/Punch support = rollers: leaves a punch from a file free to "
             "turn about z (a mechanism; such a mesh has no pins). Set it to clamped?");
 }
 

@@ -2,6 +2,7 @@
 #include "continuum/tool/elastic_tool.hpp"
 #include "coupling/elastic/session.hpp"
 #include "coupling/elastic/yielding_tool.hpp"
+#include "coupling/press_tools.hpp"
 #include "tests/support/near.hpp"
 #include "tests/unit/coupling/elastic_case.hpp"
 
@@ -178,12 +179,12 @@ TEST(ElasticCase, ReachesThePress) {
   ASSERT_EQ(tools.size(), 3u);
   EXPECT_EQ(tools[0].body->body.mesh().hash(), make_die_body(setup).mesh.hash());
   EXPECT_EQ(tools[0].body->body.materials().size(), 2u);
-  EXPECT_EQ(tools[0].body->gap, largest_gap(tools[0]));
+  EXPECT_LT(tools[0].body->gap, 1e-6);
   for (auto const& [tool, place, z, outwards] :
        {std::tuple{1, PunchPlace::upper, 20e-3, 1.0}, {2, PunchPlace::lower, 0.0, -1.0}}) {
     EXPECT_EQ(tools[tool].body->body.mesh().hash(), make_punch_body(setup, place).mesh.hash());
     // a cup is followed by quadratic interpolation, within the chordal tolerance
-    EXPECT_LT(largest_gap(tools[tool]), 1e-5);
+    EXPECT_LT(tools[tool].body->gap, 1e-5);
     // in the middle the cup is deepest, on the land the face is where a flat one is
     for (auto const& [r, height] : {std::pair{0.0, z + outwards * 2e-3}, {10.6e-3, z}}) {
       std::vector<dem::SurfacePoint> found;
@@ -207,11 +208,70 @@ TEST(ElasticCase, FromFilesReachesThePress) {
                           at + "Lower punch mesh file=" + lower.path().string()})));
   ASSERT_EQ(tools.size(), 3u);
   EXPECT_EQ(tools[0].body->body.mesh().n_cells(), die().cells.size());
-  EXPECT_LT(largest_gap(tools[0]), 1e-5);
+  EXPECT_LT(tools[0].body->gap, 1e-5);
   for (int const t : {1, 2}) {
     EXPECT_EQ(tools[t].body->body.mesh().n_cells(), punch(PunchPlace::upper).cells.size());
-    EXPECT_LT(largest_gap(tools[t]), 1e-9);
+    EXPECT_LT(tools[t].body->gap, 1e-9);
     EXPECT_TRUE(near::relative(tools[t].body->area, 0.99359 * dem::pi * bore * bore, 1e-3));
+  }
+}
+
+// Drawings of the same tools, in millimetres and elsewhere on the axis: grains touch the drawings,
+// and the bodies behind them yield as those from the dimensions do, as far as coarse cells can say.
+TEST(ElasticCase, TakesToolsFromStlFiles) {
+  support::ScratchFolder const scratch;
+  setenv("PRESSCHECK_CACHE", scratch.path().c_str(), 1);
+  auto const save = [&](char const* name, dem::TriangleSurface surface, double z) {
+    for (dem::Vec3& vertex : surface.vertices)
+      vertex.z() += z;
+    dem::write_stl(scratch / name, surface, dem::StlFormat::binary, 1e-3);
+    return (scratch / name).string();
+  };
+  auto const drawn_punch = [](dem::PunchFace face) {
+    return dem::make_punch(2.0 * bore, 10e-3, 1e-5, face);
+  };
+  Overrides const files = {
+      "Tooling/STL scale=1 mm", at + "Largest gap=0.1 mm",
+      "Tooling/Die file=" + save("die.stl", die_surface(bore), 0.0),
+      "Tooling/Upper punch file=" + save("upper.stl", drawn_punch(dem::PunchFace::down), 50e-3),
+      "Tooling/Lower punch file=" + save("lower.stl", drawn_punch(dem::PunchFace::up), -7e-3)};
+  auto const drawn = make_yielding_tools(read(files, "8 mm")), made = make_yielding_tools(read({}));
+  for (int const t : {0, 1, 2}) {
+    EXPECT_LT(drawn[t].body->gap, 1e-6) << t;
+    EXPECT_TRUE(near::relative(drawn[t].body->area, made[t].body->area, 2e-5)) << t;
+    EXPECT_TRUE(
+        near::relative(drawn[t].body->uniform_compliance, made[t].body->uniform_compliance, 0.01))
+        << t;
+    auto const high = [](ElasticPair const& tool) {
+      auto const& surface = tool.body->surface->trace();
+      return surface.positions.row(2).maxCoeff() + tool.body->offset.z();
+    };
+    EXPECT_NEAR(high(drawn[t]), high(made[t]), 1e-8) << t;
+    // A grain there meets the pressed surface, which carries it.
+    dem::Vec3 const touch(t == 0 ? 10.9e-3 : 0.0, 0.0, t == 1 ? 20e-3 : t == 0 ? 10e-3 : 0.0);
+    std::vector<dem::SurfacePoint> found;
+    drawn[t].touched.find(touch, 2e-4, found);
+    ASSERT_EQ(found.size(), 1u) << t;
+    EXPECT_NE(drawn[t].body->surface->locate(found[0].patch, found[0].point).face,
+              dem::SurfacePlace::rigid);
+  }
+}
+
+// One word makes the same tools rigid: what grains touch keeps its shape.
+TEST(ElasticCase, KeepsItsShapesWhenRigid) {
+  support::ScratchFolder const cache;
+  setenv("PRESSCHECK_CACHE", cache.path().c_str(), 1);
+  Overrides shapes = {at + "Punch face=concave", at + "Cup depth=2 mm", at + "Cup land=1 mm",
+                      at + "Young's modulus=70 GPa", at + "Window=50"};
+  auto const elastic = make_yielding_tools(read(shapes));
+  shapes.push_back("Mode=rigid");
+  auto const rigid = make_tools(read(shapes), 0);
+  for (int const t : {1, 2}) {
+    auto const& one = elastic[t].touched.triangles().vertices;
+    auto const& other = rigid[t].surface.triangles().vertices;
+    ASSERT_EQ(one.size(), other.size());
+    for (std::size_t v = 0; v < one.size(); ++v)
+      EXPECT_LT((one[v] - other[v]).norm(), 1e-15);
   }
 }
 
