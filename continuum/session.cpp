@@ -1,10 +1,15 @@
 #include "continuum/session.hpp"
 
 #include "continuum/expect.hpp"
+#include "continuum/ranks.hpp"
+#include "continuum/tool/help.hpp"
 
 #include <deal.II/base/multithread_info.h>
 
 #include <petscsys.h>
+
+#include <csignal>
+#include <cstdlib>
 
 namespace continuum {
 
@@ -28,16 +33,41 @@ Session::Session() {
   // Codes are checked at every call and thrown; the default handler would print a stack as well.
   start(PetscPushErrorHandler(PetscReturnErrorHandler, nullptr));
   dealii::MultithreadInfo::set_thread_limit(1);
+  ranks::open();
   state = State::active;
 }
 
 Session::~Session() {
   state = State::over;
+  ranks::close();
   PetscFinalize();
 }
 
 bool Session::is_active() {
   return state == State::active;
+}
+
+int Session::n_ranks() {
+  return ranks::count();
+}
+
+bool Session::is_helper() {
+  return !ranks::is_first();
+}
+
+void Session::help() {
+  // mpirun passes them to every rank; the first writes a restart and ends all, or is ended itself.
+  std::signal(SIGINT, SIG_IGN);
+  std::signal(SIGTERM, SIG_IGN);
+  help_with_tools();
+}
+
+int n_started_processes() {
+  // Of Open MPI, and of the starters of MPICH and of batch systems.
+  for (char const* const name : {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"})
+    if (char const* const value = std::getenv(name))
+      return std::atoi(value);
+  return std::getenv("PMIX_RANK") ? 1 : 0;
 }
 
 } // namespace continuum

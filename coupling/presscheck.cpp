@@ -1,5 +1,6 @@
 #include "coupling/commands/command_line.hpp"
 #include "coupling/commands/commands.hpp"
+#include "coupling/elastic/session.hpp"
 #include "dem/expect.hpp"
 
 #include <csignal>
@@ -12,6 +13,8 @@ int main(int argc, char** argv) {
   // A limit on file sizes shall arrive as a failed write, not as a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
+    if (coupling::help_first_rank())
+      return coupling::commands::done;
     return coupling::commands::run_command_line(argc, argv);
   } catch (dem::InvalidInput const& error) {
     std::cerr << error.what() << '\n';

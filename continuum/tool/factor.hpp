@@ -10,7 +10,8 @@ namespace continuum {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor, int>;
 
-/// A symmetric positive definite matrix, factorised once by MUMPS (Cholesky, through PETSc).
+/// A symmetric positive definite matrix, factorised once by MUMPS (Cholesky, through PETSc)
+/// on all ranks. For the first rank, which alone has the matrix.
 class CholeskyFactor {
 public:
   /// @throws SolverFailure if the matrix is not positive definite, or memory runs out

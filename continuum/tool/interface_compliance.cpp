@@ -2,12 +2,21 @@
 
 #include "continuum/expect.hpp"
 #include "continuum/hash.hpp"
-
-#include <Eigen/Cholesky>
+#include "continuum/tool/shared_inverse.hpp"
 
 #include <cstdio>
 
 namespace continuum {
+
+namespace {
+Eigen::MatrixXd inverted(Eigen::MatrixXd stiffness, std::string const& surface) {
+  try {
+    return shared_inverse(std::move(stiffness));
+  } catch (SolverFailure const& failure) {
+    throw SolverFailure("surface '" + surface + "': " + failure.what());
+  }
+}
+} // namespace
 
 InterfaceCompliance::InterfaceCompliance(Eigen::MatrixXd matrix, std::uint64_t key)
     : matrix_(std::move(matrix)), key_(key) {}
@@ -30,13 +39,8 @@ InterfaceCompliance InterfaceCompliance::condense(ElasticTool const& tool,
   VALIDATE(!keep.empty(), "surface '" + surface +
                               "' is held in all components (it cannot yield). Support the tool "
                               "elsewhere, or keep it rigid?");
-  Eigen::LLT<Eigen::MatrixXd> const factor(tool.condensed_stiffness(keep));
-  if (factor.info() != Eigen::Success)
-    throw SolverFailure("surface '" + surface +
-                        "': the condensed stiffness is not positive "
-                        "definite. Do moduli differ by many orders of magnitude?");
+  Eigen::MatrixXd const inverse = inverted(tool.condensed_stiffness(keep), surface);
   auto const n = static_cast<Eigen::Index>(keep.size());
-  Eigen::MatrixXd const inverse = factor.solve(Eigen::MatrixXd::Identity(n, n));
   Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(3 * nodes.size(), 3 * nodes.size());
   // Symmetric to the bit: work then depends on the end state only, however it was reached.
   for (Eigen::Index j = 0; j < n; ++j)

@@ -92,6 +92,7 @@ void describe_tools(Press const& press) {
 
 int check(CaseChoice const& choice) {
   Case const setup = read_chosen_case(choice);
+  note_ranks(setup);
   Press const press = set_up_press(setup);
   double const step = longest_step_of(setup.time_stepping)(press.world);
   auto const lengths = expected_lengths(press.programme.stages(), setup.powder.fill_height);

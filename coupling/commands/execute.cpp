@@ -3,6 +3,7 @@
 #include "coupling/case_setups.hpp"
 #include "coupling/commands/commands.hpp"
 #include "coupling/commands/interrupt.hpp"
+#include "coupling/elastic/session.hpp"
 #include "coupling/press_cycle.hpp"
 #include "coupling/record/atomic_file.hpp"
 #include "dem/expect.hpp"
@@ -71,6 +72,19 @@ Case read_chosen_case(CaseChoice const& choice) {
 void use_threads(int threads) {
   if (threads > 0)
     omp_set_num_threads(threads);
+}
+
+void note_ranks(Case const& setup) {
+  if (n_ranks() == 1)
+    return;
+  if (setup.elastic.coupling.mode == CouplingMode::rigid)
+    std::cerr << fmt::format("{}: Mode = rigid: one of the {} ranks does the work (ranks share "
+                             "that of elastic tools). Leave out mpirun?\n",
+                             setup.file.string(), n_ranks());
+  if (long const n_cores = sysconf(_SC_NPROCESSORS_ONLN); omp_get_num_procs() < n_cores)
+    std::cerr << fmt::format("mpirun: the grains may use {} of {} cores (it binds each rank to "
+                             "some). Add --bind-to none?\n",
+                             omp_get_num_procs(), n_cores);
 }
 
 int execute(Press& press, Execution const& how) {

@@ -25,6 +25,10 @@ void check_last_stage(Press const& press, std::string const& until);
 /// Threads for all that follows; 0 leaves the choice to OpenMP.
 void use_threads(int threads);
 
+/// Says on standard error what mpirun does not do for this case: ranks that only wait, cores that
+/// the grains may not use.
+void note_ranks(Case const& setup);
+
 /// The case with its overrides and its set-up's. @throws dem::InvalidInput
 struct CaseChoice;
 Case read_chosen_case(CaseChoice const& choice);

@@ -31,6 +31,7 @@ int resume(ResumeOptions const& options) {
   auto const folder =
       std::filesystem::is_directory(options.folder) ? options.folder : options.folder.parent_path();
   Case const setup = parse_case(found.header.case_text, folder / "case.resolved.prm");
+  note_ranks(setup);
   Press press = restore_press(setup, found.file);
   check_last_stage(press, options.until);
   if (!options.quiet)

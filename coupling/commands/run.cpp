@@ -24,6 +24,7 @@ int run(RunOptions const& options) {
   if (options.folder.empty() && !options.choice.setup.empty())
     folder /= options.choice.setup;
   check_run_folder(folder, options.overwrite);
+  note_ranks(setup);
   // Everything that can be wrong with the input is found before the folder is touched.
   Press press = set_up_press(setup);
   check_last_stage(press, options.until);
