@@ -89,11 +89,12 @@ double value_of(Term const& term, Eigen::VectorXd const& coded) {
 
 double slope_of(Term const& term, Eigen::VectorXd const& coded, int factor) {
   double slope = 0.0; // product rule: leave out each occurrence in turn
-  for (std::size_t k = 0; k < term.size(); ++k)
-    if (term[k] == factor) {
-      Term rest = term;
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(k));
-      slope += value_of(rest, coded);
+  for (std::size_t out = 0; out < term.size(); ++out)
+    if (term[out] == factor) {
+      double rest = 1.0;
+      for (std::size_t k = 0; k < term.size(); ++k)
+        rest *= k == out ? 1.0 : coded[term[k]];
+      slope += rest;
     }
   return slope;
 }
