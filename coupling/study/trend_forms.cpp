@@ -6,7 +6,6 @@
 namespace coupling::study {
 namespace {
 
-using Eigen::Vector2d;
 using Eigen::VectorXd;
 
 constexpr double least_packing = 0.3, most_packing = 0.99; // virtual, of grains of any shape
@@ -54,8 +53,8 @@ TrendForm power_form(std::vector<double> const& sizes, std::vector<double> const
           {"a (at the largest size)", "b"},
           [reference](VectorXd const& p, double D) { return p[0] * std::pow(D / reference, p[1]); },
           false,
-          Vector2d(0.0, -8.0),
-          Vector2d(4.0 * largest, 8.0),
+          VectorXd{{0.0, -8.0}},
+          VectorXd{{4.0 * largest, 8.0}},
           true};
 }
 
@@ -67,8 +66,8 @@ TrendForm packing_form(double fine_share, double compaction_index, double larges
                                    p[0], D);
           },
           false,
-          Vector2d(least_packing, std::log(largest_size)),
-          Vector2d(most_packing, std::log(100.0 * largest_size))};
+          VectorXd{{least_packing, std::log(largest_size)}},
+          VectorXd{{most_packing, std::log(100.0 * largest_size)}}};
 }
 
 TrendForm packing_form(std::vector<GrainClass> coarse, double fine_share, double compaction_index) {

@@ -2,7 +2,6 @@
 #include "coupling/study/calibration_misfit.hpp"
 #include "coupling/study/design.hpp"
 #include "coupling/study/distributions.hpp"
-#include "coupling/study/surface_extremes.hpp"
 #include "tests/support/near.hpp"
 #include "tests/unit/coupling/study_seed.hpp"
 #include "tests/unit/coupling/study_support.hpp"
@@ -92,58 +91,13 @@ TEST(FactorForTarget, FindsBothRootsAndTheirErrors) {
   EXPECT_TRUE(factor_for_target({factor}, {surface, -9.0, 0.0}).empty());
 }
 
-TEST(SurfaceExtremes, AreThoseOfAFineGrid) {
-  Noise noise(5);
-  MatrixXd const coded = full_factorial({3, 3, 3});
-  VectorXd const low = VectorXd::Constant(3, -0.9), high = VectorXd::Constant(3, 0.8);
-  for (int set = 0; set < 20; ++set) {
-    auto const surface =
-        fit_response_surface(observed(coded, noise.vector(27)), quadratic_terms(3));
-    auto const found = extremes_of(surface, low, high);
-    double least = 1e300, largest = -1e300;
-    MatrixXd const grid = full_factorial({41, 41, 41});
-    for (Eigen::Index k = 0; k < grid.rows(); ++k) {
-      VectorXd const x =
-          0.5 * (low + high) + 0.5 * (high - low).cwiseProduct(grid.row(k).transpose());
-      least = std::min(least, surface.value(x));
-      largest = std::max(largest, surface.value(x));
-    }
-    EXPECT_LE(found.lowest, least + 1e-12);
-    EXPECT_NEAR(found.lowest, least, 0.01);
-    EXPECT_GE(found.highest, largest - 1e-12);
-    EXPECT_NEAR(found.highest, largest, 0.01);
-    EXPECT_NEAR(surface.value(found.lowest_at), found.lowest, 1e-14);
-  }
-}
-
-TEST(CalibrationMisfit, HasTheSlopeOfItsResidual) {
-  auto const problem = seed_problem("EDEM");
-  VectorXd const x = Eigen::Vector2d(0.3, -0.6);
-  constexpr double h = 1e-6;
-  for (auto const spread : {SurfaceSpread::run, SurfaceSpread::mean})
-    for (auto const& target : problem.targets) {
-      auto const at = residual_of(target, spread, x);
-      for (int f = 0; f < 2; ++f) {
-        VectorXd const step = h * VectorXd::Unit(2, f);
-        double const slope = (residual_of(target, spread, x + step).value -
-                              residual_of(target, spread, x - step).value) /
-                             (2.0 * h);
-        EXPECT_NEAR(at.slope[f], slope, 1e-7 * (1.0 + std::abs(slope)));
-      }
-      auto const said = target.surface.predict(x);
-      double const own = spread == SurfaceSpread::run ? said.run_sd : said.mean_sd;
-      EXPECT_TRUE(near::relative(at.combined_sd, std::hypot(target.sd, own), 1e-12));
-      EXPECT_TRUE(near::relative(at.value, (said.value - target.value) / at.combined_sd, 1e-12));
-    }
-}
-
 // Two planes y1 = 3 + x1 + x2 and y2 = 1 + x1 - x2 without error meet 3.3 and 1.5 at x = (0.4,
 // -0.1). y1 + y2 and y1 - y2 give x1 and x2 as half sums of independent targets with sd 0.1 and
 // 0.2: sd 0.5 sqrt(0.05) = 0.1118 each. Profile: 1.96 sd; joint: sqrt(5.9915) = 2.4477 sd.
 TEST(Calibration, SolvesTwoPlanesByHand) {
-  CalibrationProblem const problem{.factors = {coded_factor("A"), coded_factor("B")},
-                                   .targets = {{plane(3, Eigen::Vector2d(1, 1)), 3.3, 0.1},
-                                               {plane(1, Eigen::Vector2d(1, -1)), 1.5, 0.2}}};
+  CalibrationProblem const problem{
+      .factors = {coded_factor("A"), coded_factor("B")},
+      .targets = {{plane(3, VectorXd{{1, 1}}), 3.3, 0.1}, {plane(1, VectorXd{{1, -1}}), 1.5, 0.2}}};
   auto const found = calibrate(problem);
   EXPECT_NEAR(found.factors[0].value, 0.4, 1e-8);
   EXPECT_NEAR(found.factors[1].value, -0.1, 1e-8);
@@ -208,7 +162,7 @@ TEST(Calibration, StatesATargetOutOfReach) {
 
 TEST(Calibration, SaysWhatOneTargetLeavesOpen) {
   CalibrationProblem const problem{.factors = {coded_factor("A"), coded_factor("B")},
-                                   .targets = {{plane(0, Eigen::Vector2d(1, 1)), 0.2, 0.1}}};
+                                   .targets = {{plane(0, VectorXd{{1, 1}}), 0.2, 0.1}}};
   auto const found = calibrate(problem);
   EXPECT_LT(found.chi_squared, 1e-12);
   EXPECT_EQ(found.df, -1);
@@ -254,7 +208,7 @@ TEST(SeedCalibration, PorosityContradictsTheForce) {
 TEST(Calibration, RegionCoversTheTruthAsOftenAsItSays) {
   Noise noise(2024);
   MatrixXd const coded = full_factorial({5, 5, 8}).leftCols(2); // 200 runs: s is well known
-  Eigen::Vector2d const truth(0.3, -0.2);
+  VectorXd const truth{{0.3, -0.2}};
   VectorXd b1(6), b2(6);
   b1 << 10, 3, 1, 0.4, 0.3, -0.2;
   b2 << 4, 1, -2, 0.1, -0.3, 0.2;
@@ -327,7 +281,7 @@ TEST(Calibration, RefusesWhatCannotBeCalibrated) {
             "calibration: A = nan is held (it must be a number). At which value?");
   EXPECT_EQ(message_of([&] {
               factor_for_target({coded_factor("A"), coded_factor("B")},
-                                {plane(0, Eigen::Vector2d(1, 1)), 0.0, 0.0});
+                                {plane(0, VectorXd{{1, 1}}), 0.0, 0.0});
             }),
             "factor for a target: 2 factors are free (one equation determines one). Hold all "
             "others?");

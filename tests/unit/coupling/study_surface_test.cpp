@@ -218,7 +218,7 @@ TEST(ResponseSurface, CoversTheTruthAsOftenAsItSays) {
   MatrixXd const coded = full_factorial({3, 3});
   VectorXd b(6);
   b << 5, 3, -2, 1, 0.5, -0.7;
-  VectorXd const x = Eigen::Vector2d(0.4, -0.8);
+  VectorXd const x{{0.4, -0.8}};
   double const truth = polynomial(x.transpose(), b)[0], sd = 0.3;
   int run_inside = 0, mean_inside = 0;
   for (int set = 0; set < 500; ++set) {
@@ -236,7 +236,7 @@ TEST(ResponseSurface, CoversTheTruthAsOftenAsItSays) {
 
 TEST(ResponseSurface, WithoutAFreeRunHasNoErrors) {
   MatrixXd const coded = full_factorial({3});
-  VectorXd const y = Eigen::Vector3d(1, 3, 2);
+  VectorXd const y{{1.0, 3.0, 2.0}};
   auto const surface = quadratic_fit(observed(coded, y));
   EXPECT_NEAR(surface.value(VectorXd::Constant(1, -1.0)), 1.0, 1e-14);
   EXPECT_TRUE(std::isnan(surface.coefficients()[1].p));

@@ -95,11 +95,11 @@ TEST(SizeTrend, RecoversEachFormItselfExactly) {
                                   packing_form(share_of_fines, 9.0, 0.5e-3),
                                   packing_form(known, share_of_fines, 9.0)};
   };
-  std::vector<Eigen::VectorXd> const truth{Eigen::Vector2d(0.2, 300.0),
-                                           Eigen::Vector3d(0.2, 300.0, -2e5),
-                                           Eigen::Vector2d(1.2, 0.1),
-                                           Eigen::Vector2d(0.4, 0.3),
-                                           Eigen::Vector2d(0.7, std::log(2e-3)),
+  std::vector<Eigen::VectorXd> const truth{Eigen::VectorXd{{0.2, 300.0}},
+                                           Eigen::VectorXd{{0.2, 300.0, -2e5}},
+                                           Eigen::VectorXd{{1.2, 0.1}},
+                                           Eigen::VectorXd{{0.4, 0.3}},
+                                           Eigen::VectorXd{{0.7, std::log(2e-3)}},
                                            Eigen::VectorXd::Constant(1, 0.72)};
   for (std::size_t k = 0; k < truth.size(); ++k) {
     std::vector<double> y;
