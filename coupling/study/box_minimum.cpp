@@ -51,7 +51,7 @@ Eigen::MatrixXd coded_starts(int n_unknowns) {
 
 } // namespace
 
-BoxMinimum minimise_from(ResidualsAt const& residuals, Box const& box, VectorXd start) {
+BoxMinimum minimise_from(ResidualsAt const& residuals, Box const& box, VectorXd const& start) {
   VectorXd x = start.cwiseMax(box.low).cwiseMin(box.high);
   Residuals at = residuals(x);
   double value = at.values.squaredNorm(), damping = 1e-3;
@@ -96,7 +96,7 @@ BoxMinimum minimise_in(ResidualsAt const& residuals, Box const& box) {
     VectorXd start = box.low;
     VectorXd const share = 0.5 * (starts.row(s).transpose().array() + 1.0);
     start(free) += share.cwiseProduct(VectorXd((box.high - box.low)(free)));
-    auto found = minimise_from(residuals, box, std::move(start));
+    auto found = minimise_from(residuals, box, start);
     if (found.value < best.value * (1.0 - 1e-12)) // equals differ by rounding
       best = std::move(found);
   }

@@ -28,7 +28,8 @@ struct BoxMinimum {
 /// the point near the start. Deterministic. Source: Nocedal, Wright, Numerical Optimization, 2nd
 /// ed. (2006), sections 10.3 and 16.7.
 /// @throws dem::PhysicsGuard if it has not come to rest after 2000 steps
-BoxMinimum minimise_from(ResidualsAt const& residuals, Box const& box, Eigen::VectorXd start);
+BoxMinimum minimise_from(ResidualsAt const& residuals, Box const& box,
+                         Eigen::VectorXd const& start);
 
 /// The best from 3^k starts (corners, middles of edges and faces, centre) for up to four unknowns
 /// that may move, from 100 of a Latin hypercube for more; the first of equals.

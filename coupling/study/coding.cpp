@@ -63,6 +63,7 @@ Eigen::MatrixXd to_natural(std::vector<FactorRange> const& factors, Eigen::Matri
 
 std::vector<std::string> names_of(std::vector<FactorRange> const& factors) {
   std::vector<std::string> names;
+  names.reserve(factors.size());
   for (auto const& factor : factors)
     names.push_back(factor.name);
   return names;

@@ -36,7 +36,8 @@ PowerLaw fit_power_law(std::vector<double> const& x, std::vector<double> const& 
   Eigen::VectorXd const log_y = Eigen::Map<Eigen::ArrayXd const>(y.data(), n).log();
   auto fit = fit_least_squares(X, log_y);
   Eigen::VectorXd const b = fit.coefficients;
-  Eigen::VectorXd const reach = student_quantile(0.95, fit.residual_df) * fit.residual_sd() *
+  double const log_sd = fit.residual_sd();
+  Eigen::VectorXd const reach = student_quantile(0.95, fit.residual_df) * log_sd *
                                 fit.inverse_information.diagonal().cwiseSqrt();
   return {.factor = std::exp(b[0]),
           .factor_lower = std::exp(b[0] - reach[0]),
@@ -44,7 +45,7 @@ PowerLaw fit_power_law(std::vector<double> const& x, std::vector<double> const& 
           .exponent = b[1],
           .exponent_lower = b[1] - reach[1],
           .exponent_upper = b[1] + reach[1],
-          .log_sd = fit.residual_sd(),
+          .log_sd = log_sd,
           .fit = std::move(fit)};
 }
 

@@ -95,6 +95,7 @@ std::vector<OverallInfluence> screen_factors(std::vector<ResponseSurface> const&
   VALIDATE(!surfaces.empty(), "screening: has no response. Which results are meant?");
   auto const& names = surfaces.front().data.factor_names;
   std::vector<OverallInfluence> all;
+  all.reserve(names.size());
   for (auto const& name : names)
     all.push_back({name, 0.0, 0});
   int n_varying = 0;

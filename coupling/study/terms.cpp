@@ -46,6 +46,7 @@ std::string name_of(Term const& term, std::vector<std::string> const& factor_nam
 
 std::vector<Term> linear_terms(int n_factors) {
   std::vector<Term> terms;
+  terms.reserve(static_cast<std::size_t>(n_factors));
   for (int f = 0; f < n_factors; ++f)
     terms.push_back({f});
   return terms;
@@ -75,8 +76,8 @@ std::vector<Term> hierarchical(std::vector<Term> terms) {
     return std::tuple(term.size(), group_of(term) == TermGroup::square, term);
   };
   std::ranges::sort(terms, {}, rank);
-  auto const repeated = std::ranges::unique(terms);
-  terms.erase(repeated.begin(), repeated.end());
+  // std::ranges::unique is beyond clang 14.
+  terms.erase(std::unique(terms.begin(), terms.end()), terms.end());
   return terms;
 }
 

@@ -103,6 +103,7 @@ TEST(SizeTrend, RecoversEachFormItselfExactly) {
                                            Eigen::VectorXd::Constant(1, 0.72)};
   for (std::size_t k = 0; k < truth.size(); ++k) {
     std::vector<double> y;
+    y.reserve(sizes.size());
     auto const form = forms({0.4})[k]; // values do not shape it
     for (double const D : sizes)
       y.push_back(form.value(truth[k], D));
@@ -171,6 +172,7 @@ TEST(SizeTrend, RefusesWhatIsNoTrend) {
 TEST(PowerLaw, IsALineOfLogarithms) {
   std::vector<double> const x{0.15, 0.2, 0.25, 0.3};
   std::vector<double> y;
+  y.reserve(x.size());
   for (double const one : x)
     y.push_back(3.0 * std::pow(one, -4.0));
   auto const exact = fit_power_law(x, y);
