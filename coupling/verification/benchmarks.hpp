@@ -22,6 +22,7 @@ std::vector<Experiment> friction_experiments();
 std::vector<Experiment> integrator_experiments();
 std::vector<Experiment> particle_impact_experiments();
 std::vector<Experiment> press_motion_experiments();
+std::vector<Experiment> study_experiments();
 // Finite elements: MPI and PETSc start with the first run.
 std::vector<Experiment> elasticity_experiments();
 std::vector<Experiment> coupled_experiments();

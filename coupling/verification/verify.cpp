@@ -31,9 +31,10 @@ std::vector<Benchmark> run_one(Experiment const& experiment) {
 
 std::vector<Experiment> all_experiments() {
   std::vector<Experiment> all;
-  for (auto const theme : {collision_experiments, adhesion_experiments, friction_experiments,
-                           integrator_experiments, particle_impact_experiments,
-                           press_motion_experiments, elasticity_experiments, coupled_experiments}) {
+  for (auto const theme :
+       {collision_experiments, adhesion_experiments, friction_experiments, integrator_experiments,
+        particle_impact_experiments, press_motion_experiments, study_experiments,
+        elasticity_experiments, coupled_experiments}) {
     std::ranges::move(theme(), std::back_inserter(all));
   }
   return all;
