@@ -81,7 +81,7 @@ CaseText collect(dealii::ParameterHandler& handler, std::string const& name) {
 }
 
 /// `Section/Entry=value` from the command line.
-Assignment parse_override(std::string const& written) {
+PlacedValue parse_override(std::string const& written) {
   check_is_text(written, "--set");
   auto const equals = written.find('=');
   VALIDATE(
@@ -93,9 +93,14 @@ Assignment parse_override(std::string const& written) {
     return first == std::string::npos ? std::string()
                                       : text.substr(first, text.find_last_not_of(' ') - first + 1);
   };
-  Assignment const result{trim(written.substr(0, equals)), trim(written.substr(equals + 1)), 0};
-  check_assignment("--set", result.path, result.text);
-  return result;
+  return {trim(written.substr(0, equals)), trim(written.substr(equals + 1)), "--set"};
+}
+
+std::vector<PlacedValue> parse_overrides(std::span<std::string const> written) {
+  std::vector<PlacedValue> late;
+  for (std::string const& override_text : written)
+    late.push_back(parse_override(override_text));
+  return late;
 }
 
 bool is_json(std::filesystem::path const& file) {
@@ -105,7 +110,7 @@ bool is_json(std::filesystem::path const& file) {
 /// Both readers on one text: the scanners refuse in our words, with lines; ParameterHandler has the
 /// last word.
 CaseText read_text(std::string const& text, std::filesystem::path const& file,
-                   std::span<std::string const> overrides) {
+                   std::span<PlacedValue const> late) {
   std::string const name = file.string();
   std::vector<Assignment> const written =
       is_json(file) ? scan_json(text, name) : scan_prm(text, name);
@@ -113,9 +118,8 @@ CaseText read_text(std::string const& text, std::filesystem::path const& file,
       !written.empty(),
       fmt::format("{}: sets no entry (a case sets at least its Title). Is this the right file?",
                   name));
-  std::vector<Assignment> late;
-  for (std::string const& override_text : overrides)
-    late.push_back(parse_override(override_text));
+  for (PlacedValue const& value : late)
+    check_assignment(value.where, value.path, value.text);
   try {
     dealii::ParameterHandler handler;
     declare_entries(handler);
@@ -124,15 +128,15 @@ CaseText read_text(std::string const& text, std::filesystem::path const& file,
         set_entry(handler, entry.path, entry.text);
     else
       handler.parse_input_from_string(text);
-    for (Assignment const& entry : late)
+    for (PlacedValue const& entry : late)
       set_entry(handler, entry.path, entry.text);
     CaseText all = collect(handler, name);
     for (Assignment const& entry : written) {
       all[entry.path].where = fmt::format("{}:{}", name, entry.line);
       all[entry.path].is_given = true;
     }
-    for (Assignment const& entry : late) {
-      all[entry.path].where = "--set";
+    for (PlacedValue const& entry : late) {
+      all[entry.path].where = entry.where;
       all[entry.path].is_given = true;
     }
     return all;
@@ -179,9 +183,13 @@ Case read_case(std::filesystem::path const& file, std::span<std::string const> o
   return parse_case(read_whole(file), file, overrides);
 }
 
+Case read_case_with(std::filesystem::path const& file, std::span<PlacedValue const> values) {
+  return build_case(read_text(normalise(read_whole(file)), file, values), file);
+}
+
 Case parse_case(std::string const& prm_text, std::filesystem::path const& name,
                 std::span<std::string const> overrides) {
-  return build_case(read_text(normalise(prm_text), name, overrides), name);
+  return build_case(read_text(normalise(prm_text), name, parse_overrides(overrides)), name);
 }
 
 std::string describe_entries(DefaultsFormat format) {

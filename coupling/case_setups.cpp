@@ -85,8 +85,7 @@ void take_row(SetupTable& table, std::vector<std::string> cells, int line) {
   table.rows.push_back({line, std::move(cells)});
 }
 
-SetupTable read_table(std::filesystem::path const& case_file) {
-  std::filesystem::path const file = case_file.parent_path() / "settings.csv";
+SetupTable read_table(std::filesystem::path const& file) {
   SetupTable table{.name = file.string(), .columns = {}, .rows = {}};
   std::ifstream in(file, std::ios::binary);
   VALIDATE(
@@ -122,11 +121,24 @@ SetupTable read_table(std::filesystem::path const& case_file) {
   return table;
 }
 
-std::vector<std::string> names_of(SetupTable const& table) {
+NamedSetup setup_of(SetupTable const& table, SetupRow const& row) {
+  NamedSetup setup{row.cells[0], fmt::format("{}:{}", table.name, row.line), {}};
+  for (std::size_t column = 0; column < table.columns.size(); ++column)
+    for (std::string const& path : table.columns[column])
+      if (!row.cells[column + 1].empty())
+        setup.values.push_back({path, row.cells[column + 1], setup.where});
+  return setup;
+}
+
+std::vector<std::string> names_of(std::vector<NamedSetup> const& setups) {
   std::vector<std::string> names;
-  for (SetupRow const& row : table.rows)
-    names.push_back(row.cells[0]);
+  for (NamedSetup const& setup : setups)
+    names.push_back(setup.name);
   return names;
+}
+
+std::filesystem::path table_beside(std::filesystem::path const& case_file) {
+  return case_file.parent_path() / "settings.csv";
 }
 
 /// The `most` names nearest to a text, for a message.
@@ -140,26 +152,35 @@ std::vector<std::string> nearest(std::vector<std::string> names, std::string_vie
 
 } // namespace
 
+std::vector<NamedSetup> read_setups(std::filesystem::path const& table_file) {
+  SetupTable const table = read_table(table_file);
+  std::vector<NamedSetup> setups;
+  for (SetupRow const& row : table.rows)
+    setups.push_back(setup_of(table, row));
+  return setups;
+}
+
+NamedSetup const& find_setup(std::vector<NamedSetup> const& setups, std::string_view name,
+                             std::filesystem::path const& table) {
+  auto const found = std::ranges::find(setups, name, &NamedSetup::name);
+  if (found != setups.end())
+    return *found;
+  throw dem::InvalidInput(
+      fmt::format("{}: has no setup '{}' (it lists {}). Did you mean one of {}?", table.string(),
+                  quote(name), setups.size(), fmt::join(nearest(names_of(setups), name, 3), ", ")));
+}
+
 std::vector<std::string> setup_names(std::filesystem::path const& case_file) {
-  return names_of(read_table(case_file));
+  return names_of(read_setups(table_beside(case_file)));
 }
 
 std::vector<std::string> setup_overrides(std::filesystem::path const& case_file,
                                          std::string_view setup_name) {
-  SetupTable const table = read_table(case_file);
-  auto const row = std::ranges::find_if(
-      table.rows, [&](SetupRow const& one) { return one.cells[0] == setup_name; });
-  if (row == table.rows.end()) {
-    throw dem::InvalidInput(
-        fmt::format("{}: has no setup '{}' (it lists {}). Did you mean one of {}?", table.name,
-                    quote(setup_name), table.rows.size(),
-                    fmt::join(nearest(names_of(table), setup_name, 3), ", ")));
-  }
+  auto const table = table_beside(case_file);
+  auto const setups = read_setups(table);
   std::vector<std::string> overrides;
-  for (std::size_t column = 0; column < table.columns.size(); ++column)
-    for (std::string const& path : table.columns[column])
-      if (!row->cells[column + 1].empty())
-        overrides.push_back(fmt::format("{}={}", path, row->cells[column + 1]));
+  for (PlacedValue const& value : find_setup(setups, setup_name, table).values)
+    overrides.push_back(fmt::format("{}={}", value.path, value.text));
   return overrides;
 }
 

@@ -16,6 +16,13 @@ struct Assignment {
   int line;         ///< from 1
 };
 
+/// A value for one entry from elsewhere than the case file.
+struct PlacedValue {
+  std::string path;  ///< `Section/Entry`
+  std::string text;  ///< the value, trimmed
+  std::string where; ///< `settings.csv:7`, `--set`
+};
+
 /// The text of one entry, and where it was written.
 struct EntryText {
   std::string text;

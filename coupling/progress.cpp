@@ -13,6 +13,13 @@ namespace {
 constexpr auto terminal_pause = std::chrono::milliseconds(500);
 constexpr double rounding = 1e-9;
 
+double seconds_between(std::chrono::steady_clock::time_point from,
+                       std::chrono::steady_clock::time_point to) {
+  return std::chrono::duration<double>(to - from).count();
+}
+
+} // namespace
+
 std::string write_duration(double seconds) {
   auto const whole = static_cast<long>(std::min(seconds, 1e7) + 0.5);
   if (whole >= 3600)
@@ -21,13 +28,6 @@ std::string write_duration(double seconds) {
     return fmt::format("{} min {:02d} s", whole / 60, whole % 60);
   return fmt::format("{} s", whole);
 }
-
-double seconds_between(std::chrono::steady_clock::time_point from,
-                       std::chrono::steady_clock::time_point to) {
-  return std::chrono::duration<double>(to - from).count();
-}
-
-} // namespace
 
 ProgressStyle progress_style(int file_descriptor, bool quiet) {
   if (quiet)

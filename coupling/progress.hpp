@@ -21,6 +21,9 @@ struct ProgressReading {
 
 enum class ProgressStyle { silent, lines, terminal };
 
+/// `1 h 05 min`, `3 min 20 s`, `7 s`.
+std::string write_duration(double seconds);
+
 /// `terminal` if the file descriptor is one, otherwise `lines`; `silent` if asked for.
 ProgressStyle progress_style(int file_descriptor, bool quiet);
 

@@ -95,6 +95,30 @@ void declare_verify(CLI::App& program, Command& command) {
   app.callback([filter, &command] { command = [filter] { return verify(*filter); }; });
 }
 
+void declare_study(CLI::App& program, Command& command) {
+  CLI::App& app = *program.add_subcommand(
+      "study",
+      "a design of experiments: runs (or reads) a table of cases, and goes on after a stop");
+  auto options = std::make_shared<StudyOptions>();
+  app.add_option("study", options->file, "study file, .prm");
+  app.add_option("-o,--output", options->folder, "folder of the study (default: studies/<study>)");
+  app.add_option("--jobs", options->jobs, "runs at once (default: cores / threads)")
+      ->check(CLI::Range(1, 4096));
+  app.add_option("--threads", options->threads, "threads of each run")->check(CLI::Range(1, 1024));
+  app.add_option("--only", options->only, "only this run; may be repeated")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_flag("--dry-run", options->dry_run, "check all cases, print the plan and stop");
+  app.add_flag("--retry", options->retries, "try failed runs again");
+  app.add_flag("--collect", options->collects, "gather the results that there are, run nothing");
+  app.add_option("--export", options->export_to, "slurm: write job scripts, run nothing")
+      ->check(CLI::IsMember({"slurm"}));
+  app.add_flag("--entries", options->lists_entries, "list every entry of a study file and stop");
+  app.add_flag("--force", options->overwrite, "use a folder that holds something else");
+  app.add_flag("--quiet", options->quiet, "no plan, no progress");
+  app.callback([options, &command] { command = [options] { return study(*options); }; });
+}
+
 /// Names of the contract that a later version will fill.
 void declare_later(CLI::App& program, Command& command, std::string const& name) {
   CLI::App& app = *program.add_subcommand(name, "not in this version");
@@ -127,7 +151,7 @@ int run_command_line(int argc, char const* const* argv) {
   declare_report(program, command);
   declare_defaults(program, command);
   declare_verify(program, command);
-  declare_later(program, command, "study");
+  declare_study(program, command);
   declare_later(program, command, "diagnose");
   try {
     program.parse(argc, argv);

@@ -43,11 +43,27 @@ struct CompareOptions {
   std::filesystem::path file; ///< empty: comparison.html
 };
 
+struct StudyOptions {
+  std::filesystem::path file;
+  std::filesystem::path folder;  ///< empty: studies/<study>
+  std::vector<std::string> only; ///< runs by name; empty: all
+  std::string export_to;         ///< "slurm": write scripts instead of running
+  int jobs = 0;                  ///< runs at once; 0: as many as there are cores for
+  int threads = 0;               ///< of each run; 0: what the runs leave free
+  bool dry_run = false;          ///< print the plan and stop
+  bool collects = false;         ///< gather what there is and stop
+  bool retries = false;          ///< try failed runs again
+  bool overwrite = false;        ///< take over the folder of another study
+  bool quiet = false;
+  bool lists_entries = false;
+};
+
 int run(RunOptions const& options);
 int check(CaseChoice const& choice);
 int resume(ResumeOptions const& options);
 int compare(CompareOptions const& options);
 int report(std::filesystem::path const& folder);
+int study(StudyOptions const& options);
 int defaults(DefaultsFormat format);
 int verify(std::string const& filter);
 

@@ -7,8 +7,8 @@ namespace {
 
 volatile std::sig_atomic_t requested = 0;
 
-void note_request(int) {
-  requested = 1;
+void note_request(int signal) {
+  requested = signal;
 }
 
 void set_handler(int signal, void (*handler)(int)) {
@@ -34,6 +34,10 @@ InterruptWatch::~InterruptWatch() {
 
 bool InterruptWatch::is_requested() {
   return requested != 0;
+}
+
+int InterruptWatch::signal() {
+  return requested;
 }
 
 } // namespace coupling

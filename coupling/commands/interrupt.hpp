@@ -12,6 +12,9 @@ public:
   InterruptWatch& operator=(InterruptWatch const&) = delete;
 
   static bool is_requested();
+
+  /// The signal that asked; 0 while none has.
+  static int signal();
 };
 
 } // namespace coupling

@@ -15,12 +15,13 @@ namespace dem {
 
 /// Where everything was when a list was made, and how far it may move before the list ends.
 struct ListAge {
-  std::vector<Vec3> position;       ///< [m], n_grains
-  std::vector<double> skin;         ///< [m], n_grains
-  std::vector<Vec3> tool;           ///< [m], displacement of each tool
-  std::vector<double> tool_skin;    ///< [m]
-  std::vector<double> tool_yielded; ///< [m], Tool::yielded at the time
-  std::vector<double> tool_extent;  ///< [m], bound of the tool's deformation at the time
+  std::vector<Vec3> position;             ///< [m], n_grains
+  std::vector<double> skin;               ///< [m], n_grains
+  std::vector<Vec3> tool;                 ///< [m], displacement of each tool
+  std::vector<double> tool_skin;          ///< [m]
+  std::vector<double> tool_yielded;       ///< [m], Tool::yielded at the time
+  std::vector<double> tool_extent;        ///< [m], bound of the tool's deformation at the time
+  std::vector<std::uint8_t> tool_present; ///< 1 where the tool was there at the time
 
   /// Bound of the way that any point of a tool's surface has gone since [m].
   double tool_way(Tool const& now, std::size_t t) const {

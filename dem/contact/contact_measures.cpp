@@ -235,6 +235,8 @@ template <class T> ContactState TypedStore<T>::capture() const {
                      .inner_tool_yielded = lists_.inner.tool_yielded,
                      .outer_tool_extent = lists_.outer.tool_extent,
                      .inner_tool_extent = lists_.inner.tool_extent,
+                     .outer_tool_present = lists_.outer.tool_present,
+                     .inner_tool_present = lists_.inner.tool_present,
                      .spring = {},
                      .normal_memory = {},
                      .yields = {},
@@ -265,15 +267,19 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
                state.inner_tool_extent.size() == world.tools.size() &&
                state.outer_tool_extent.size() == world.tools.size() &&
                state.inner_tool_yielded.size() == world.tools.size() &&
-               state.outer_tool_yielded.size() == world.tools.size(),
+               state.outer_tool_yielded.size() == world.tools.size() &&
+               state.inner_tool_present.size() == world.tools.size() &&
+               state.outer_tool_present.size() == world.tools.size(),
            "restart: the contact lists do not belong to these grains and tools. Is the file from "
            "another case?");
   lists_ = {};
   is_open_ = false;
-  lists_.outer = {state.outer_position,  state.outer_skin,         state.outer_tool,
-                  state.outer_tool_skin, state.outer_tool_yielded, state.outer_tool_extent};
-  lists_.inner = {state.inner_position,  state.inner_skin,         state.inner_tool,
-                  state.inner_tool_skin, state.inner_tool_yielded, state.inner_tool_extent};
+  lists_.outer = {state.outer_position,    state.outer_skin,         state.outer_tool,
+                  state.outer_tool_skin,   state.outer_tool_yielded, state.outer_tool_extent,
+                  state.outer_tool_present};
+  lists_.inner = {state.inner_position,    state.inner_skin,         state.inner_tool,
+                  state.inner_tool_skin,   state.inner_tool_yielded, state.inner_tool_extent,
+                  state.inner_tool_present};
   impulses_ = state.impulses;
   double const beyond = reach(world);
   build_outer(world, beyond, lists_);
@@ -304,6 +310,8 @@ template <class T> void TypedStore<T>::restore(World& world, ContactState const&
     for (std::size_t k = 0; k < block.walls.size(); ++k)
       put(block.wall_offset + k);
   }
+  VALIDATE(next == state.spring.size() && next_yield == state.yields.size(),
+           "restart: more contact springs than contacts. Is the file from another version?");
 }
 
 template void TypedStore<float>::visit(World const&, ContactStream::Visit const&) const;

@@ -47,6 +47,7 @@ ListAge age_now(World const& world, SkinRule const& rule) {
     age.tool_skin.push_back(rule.skin(speed));
     age.tool_yielded.push_back(tool.yielded);
     age.tool_extent.push_back(deformation ? deformation->extent() : 0.0);
+    age.tool_present.push_back(tool.present ? 1 : 0);
   }
   return age;
 }

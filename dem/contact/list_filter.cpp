@@ -117,7 +117,8 @@ void list_walls(World const& world, double reach, ContactLists<T> const& lists,
     for (std::uint32_t s = lists.near_tool_start[i]; s < lists.near_tool_start[i + 1]; ++s) {
       auto const [t, patch] = lists.near_tool[s];
       Tool const& tool = world.tools[t];
-      if (!tool.present)
+      // As it was then: a restart builds this list again after the tool may have gone.
+      if (lists.inner.tool_present[t] == 0)
         continue;
       double const travel =
           lists.inner.skin[i] + lists.inner.tool_skin[t] + lists.inner.tool_extent[t];
@@ -169,7 +170,7 @@ std::vector<NearTool> tools_near(World const& world, ListAge const& age, std::si
   double const radius = world.grains.radius[i];
   for (std::uint32_t t = 0; t < world.tools.size(); ++t) {
     Tool const& tool = world.tools[t];
-    if (!tool.present)
+    if (age.tool_present[t] == 0)
       continue;
     double const travel = age.skin[i] + age.tool_skin[t] + age.tool_extent[t];
     found.clear();

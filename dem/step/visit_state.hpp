@@ -90,6 +90,8 @@ template <class State, class Field> void visit_state(State& state, Field&& field
   field("contacts/inner_tool_yielded", state.contacts.inner_tool_yielded);
   field("contacts/outer_tool_extent", state.contacts.outer_tool_extent);
   field("contacts/inner_tool_extent", state.contacts.inner_tool_extent);
+  field("contacts/outer_tool_present", state.contacts.outer_tool_present);
+  field("contacts/inner_tool_present", state.contacts.inner_tool_present);
   auto& yields = state.contacts.yields;
   visit_places("contacts/yields/", yields, field);
   visit_member(

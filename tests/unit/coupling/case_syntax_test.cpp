@@ -74,8 +74,8 @@ TEST(PrmFile, WithALineThatIsNoneIsRefused) {
 
 TEST(PrmFile, ThatIncludesAnotherIsRefused) {
   EXPECT_EQ(refusal("include other.prm\n"),
-            "case.prm:1: 'include other.prm': a case cannot include another file (a run keeps its "
-            "case as one file). Copy the "
+            "case.prm:1: 'include other.prm': a case cannot include another file (it is kept as "
+            "one file beside its results). Copy the "
             "lines here?");
 }
 
