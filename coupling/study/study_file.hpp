@@ -44,13 +44,13 @@ struct StudyDesign {
   std::uint64_t seed = 1;
 };
 
-struct Calibration {
+struct CalibrationPlan {
   std::map<std::string, double> held; ///< [SI], by name of a factor; the others are fitted
   bool is_validated = false;          ///< run the calibrated point
   int validation_replicates = 1;
 };
 
-struct Extrapolation {
+struct ExtrapolationPlan {
   std::string factor;                 ///< name; empty: none
   double value = 0.0;                 ///< [SI]
   std::vector<std::string> responses; ///< names; never empty where there is a factor
@@ -65,8 +65,8 @@ struct StudyFile {
   StudyDesign design = {};
   std::vector<StudyFactor> factors = {};     ///< none: a batch without statistics (a table only)
   std::vector<StudyResponse> responses = {}; ///< at least one where there are factors
-  Calibration calibration = {};
-  Extrapolation extrapolation = {};
+  CalibrationPlan calibration = {};
+  ExtrapolationPlan extrapolation = {};
   std::string cost_factor = {};   ///< name; empty: none
   std::string resolved_text = {}; ///< the study as understood, .prm, paths absolute
 
