@@ -138,6 +138,11 @@ TEST(Screening, FindsTheSeedsFactors) {
   EXPECT_EQ(overall[1].factor, "CED");
   EXPECT_EQ(overall[2].factor, "D");
   EXPECT_EQ(overall[0].n_influential, 2); // shape quality: p = 0.1 after Holm
+  double shares = 0.0;
+  for (auto const& surface : surfaces)
+    for (auto const& one : screen_factors(surface))
+      shares += one.factor == "E" ? one.share : 0.0;
+  EXPECT_NEAR(overall[0].mean_share, shares / 3.0, 1e-14);
   auto const force = screen_factors(surfaces[0]);
   EXPECT_EQ(force[0].factor, "E");
   EXPECT_GT(force[0].share, 0.99);
