@@ -2,6 +2,7 @@
 #include "coupling/commands/execute.hpp"
 #include "coupling/commands/interrupt.hpp"
 #include "coupling/nearest_name.hpp"
+#include "coupling/study/analysis.hpp"
 #include "coupling/study/batch.hpp"
 #include "coupling/study/batch_rank.hpp"
 #include "coupling/study/results_table.hpp"
@@ -81,6 +82,15 @@ std::string call_again(StudyOptions const& options, BatchFolder const& folder) {
   return fmt::format("presscheck study {} -o {}", options.file.string(), folder.path().string());
 }
 
+/// Fits what the study asks for, says it and keeps it beside the results.
+void report_analysis(ResultsTable const& table, BatchFolder const& folder) {
+  if (table.study.responses.empty())
+    return;
+  Analysis const analysis = analyse(table);
+  write_analysis(analysis, table.study, folder.path());
+  std::cout << describe(analysis, table.study) << '\n';
+}
+
 /// Tells how the runs stand. @returns the exit status
 int report_runs(ResultsTable const& table, StudyOptions const& options, BatchFolder const& folder) {
   std::size_t n_done = 0, n_failed = 0;
@@ -109,13 +119,30 @@ int read_instead(StudyPlan const& plan, StudyOptions const& options, BatchFolder
   folder.check(plan, options.overwrite);
   folder.prepare(plan.study, plan.runs, std::vector<RunEstimate>(plan.runs.size()));
   write_results(table, folder.path());
+  report_analysis(table, folder);
   return report_runs(table, options, folder);
 }
 
 int collect(StudyOptions const& options, BatchFolder const& folder) {
   auto const table = load_study(folder.path());
   write_results(table, folder.path());
+  if (table.finished().size() > 0 && std::ranges::all_of(table.rows, &ResultRow::is_done))
+    report_analysis(table, folder);
   return report_runs(table, options, folder);
+}
+
+/// Runs the calibrated point, once all runs of the design are done. Nothing is run twice.
+/// @param runs  all so far
+BatchOutcome run_validation(StudyPlan const& plan, std::vector<StudyRun> runs,
+                            BatchOptions const& batch, BatchFolder const& folder) {
+  auto const point = calibrated_point(analyse(load_study(folder.path())));
+  for (auto& run :
+       add_validation_runs(plan, folder, point, plan.study.calibration.validation_replicates))
+    if (std::ranges::count(runs, run.id, &StudyRun::id) == 0)
+      runs.push_back(std::move(run));
+  auto const estimates = estimate_runs(runs, folder);
+  folder.prepare(plan.study, runs, estimates);
+  return run_batch(folder, runs, estimates, batch, std::cerr);
 }
 
 int run_study(StudyPlan const& plan, StudyOptions const& options, BatchFolder const& folder) {
@@ -144,8 +171,11 @@ int run_study(StudyPlan const& plan, StudyOptions const& options, BatchFolder co
   }
   InterruptWatch const watch;
   auto const mine = part_of(runs, indices);
-  auto const outcome = run_batch(folder, mine, part_of(estimates, indices),
-                                 batch_options(options, rank, mine.size()), std::cerr);
+  auto const batch = batch_options(options, rank, mine.size());
+  auto outcome = run_batch(folder, mine, part_of(estimates, indices), batch, std::cerr);
+  if (plan.study.calibration.is_validated && rank.rank == 0 && options.only.empty() &&
+      !outcome.is_interrupted && outcome.is_complete())
+    outcome = run_validation(plan, runs, batch, folder);
   if (outcome.is_interrupted) {
     if (rank.rank == 0)
       std::cerr << fmt::format("interrupted: {} of {} runs done, {} stopped with what they had. Go "
@@ -173,6 +203,7 @@ int study(StudyOptions const& options) {
   use_threads(1); // the work is done by the runs
   BatchFolder const folder(folder_of(options));
   auto const plan = plan_study(read_study(options.file));
+  validate_model(plan);
   if (plan.study.is_data())
     return read_instead(plan, options, folder);
   if (options.collects)

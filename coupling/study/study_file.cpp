@@ -198,6 +198,7 @@ StudyFile read_study(fs::path const& file) {
   study.case_file = file_of(text, file, "Case");
   study.common = text.common();
   study.design = read_design(text, study);
+  study.model = text.text("Model");
   read_factors(text, study);
   study.responses = read_responses(text, study);
   read_calibration(text, study);

@@ -63,6 +63,7 @@ struct StudyFile {
   std::filesystem::path case_file = {}; ///< absolute
   std::vector<PlacedValue> common = {}; ///< for every run
   StudyDesign design = {};
+  std::string model = "quadratic";           ///< linear, interactions, quadratic
   std::vector<StudyFactor> factors = {};     ///< none: a batch without statistics (a table only)
   std::vector<StudyResponse> responses = {}; ///< at least one where there are factors
   CalibrationPlan calibration = {};

@@ -42,6 +42,8 @@ std::vector<Entry> design_entries() {
   return {
       words("Title", "", "One line that heads the report."),
       words("Case", "", "Case file that the runs change."),
+      one_of("Model", "quadratic", "linear | interactions | quadratic",
+             "Terms of the response surfaces; each holds those before it."),
       one_of("Design/Kind", "table", "table | full_factorial | central_composite | latin_hypercube",
              "Where the runs come from."),
       words("Design/Table", "", "Table of set-ups; empty: settings.csv beside the case."),
