@@ -55,6 +55,7 @@ std::string print_study(StudyText const& text, StudyFile const& study) {
   Sections sections;
   sections.set("", "Title", study.title);
   sections.set("", "Case", study.case_file.string());
+  sections.set("", "Model", study.model);
   for (auto const& value : study.common)
     sections.set(common_section, value.path, value.text);
   auto const print = [&](std::string_view of) {

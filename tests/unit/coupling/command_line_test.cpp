@@ -59,7 +59,6 @@ TEST(CommandLine, WrongUseIsOneLineAndStatus2) {
 }
 
 TEST(CommandLine, LaterCommandsSaySo) {
-  expect_refused(run({"study", "plan.prm", "-o", "somewhere"}), "this version does not have it");
   expect_refused(run({"diagnose", "case.prm", "measured"}), "this version does not have it");
 }
 
