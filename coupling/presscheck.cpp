@@ -6,6 +6,7 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <string_view>
 
 /// The program `presscheck`. Exit status: 0 done, 1 a calculation failed or a guard tripped, 2 the
 /// input is wrong, 130 interrupted. An error is one line on standard error.
@@ -13,7 +14,9 @@ int main(int argc, char** argv) {
   // A limit on file sizes shall arrive as a failed write, not as a signal.
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    if (coupling::help_first_rank())
+    // Ranks of a study share its runs and know nothing of MPI.
+    bool const shares_runs = argc > 1 && std::string_view(argv[1]) == "study";
+    if (!shares_runs && coupling::help_first_rank())
       return coupling::commands::done;
     return coupling::commands::run_command_line(argc, argv);
   } catch (dem::InvalidInput const& error) {

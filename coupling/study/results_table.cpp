@@ -62,7 +62,7 @@ std::vector<std::string> cells_of(ResultsTable const& table, ResultRow const& ro
   }
   for (auto const& quantity : quantities)
     cells.push_back(shortest(row.value(quantity)));
-  cells.push_back(shortest(row.cpu_seconds));
+  cells.push_back(shortest(row.cpu_seconds > 0.0 ? row.cpu_seconds : unknown));
   return cells;
 }
 

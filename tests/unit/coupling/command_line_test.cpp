@@ -54,6 +54,8 @@ TEST(CommandLine, WrongUseIsOneLineAndStatus2) {
   expect_refused(run({"run", tiny_case(), "--threads", "none"}), "--threads");
   expect_refused(run({"run", tiny_case(), "--threads", "0"}), "--threads");
   expect_refused(run({"compare", "only-one"}), "sources");
+  expect_refused(run({"study"}), "names no study file");
+  expect_refused(run({"study", "plan.prm"}), "plan.prm: does not exist");
   expect_refused(run({"defaults", "--format", "yaml"}), "--format");
   expect_refused(run({"verify", "--filter", "no-such-benchmark"}), "no-such-benchmark");
 }
