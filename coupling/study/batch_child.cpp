@@ -86,6 +86,7 @@ BatchChild::BatchChild(StudyRun const& run, FileLock lock,
   std::vector<std::string> words{"presscheck"};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
+  pointers.reserve(words.size() + 1);
   for (auto& one : words)
     pointers.push_back(one.data());
   pointers.push_back(nullptr);

@@ -105,7 +105,7 @@ FileLock::~FileLock() {
     ::close(descriptor_);
 }
 
-BatchFolder::BatchFolder(fs::path path) : path_(fs::absolute(path).lexically_normal()) {
+BatchFolder::BatchFolder(fs::path const& path) : path_(fs::absolute(path).lexically_normal()) {
   if (path_.filename().empty())
     path_ = path_.parent_path();
 }

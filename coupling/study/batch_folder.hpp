@@ -48,7 +48,7 @@ private:
 /// All but the logs and the run folders appear complete or not at all.
 class BatchFolder {
 public:
-  explicit BatchFolder(std::filesystem::path path);
+  explicit BatchFolder(std::filesystem::path const& path);
 
   std::filesystem::path const& path() const { return path_; }
   std::filesystem::path run(std::string const& id) const { return path_ / "runs" / id; }

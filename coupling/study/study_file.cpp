@@ -23,7 +23,7 @@ fs::path file_of(StudyText const& text, fs::path const& study, std::string const
   auto const written = text.text(path);
   if (written.empty())
     return {};
-  auto const absolute = (fs::absolute(study).parent_path() / written).lexically_normal();
+  auto absolute = (fs::absolute(study).parent_path() / written).lexically_normal();
   if (!fs::is_regular_file(absolute))
     text.refuse(path, fmt::format("is no file (looked for {}; paths start at the study file). Is "
                                   "it misspelt?",
