@@ -5,7 +5,7 @@
 // fuzz-build: coupling/case_schema_lookup.cpp coupling/case_stages.cpp coupling/case_text.cpp
 // fuzz-build: coupling/case_tool_shapes.cpp
 // fuzz-build: coupling/case_value.cpp coupling/nearest_name.cpp coupling/press_stages.cpp
-// fuzz-build: coupling/quantity.cpp coupling/quote.cpp coupling/units.cpp
+// fuzz-build: coupling/prm_lines.cpp coupling/quantity.cpp coupling/quote.cpp coupling/units.cpp
 // fuzz-build: dem/material.cpp dem/spheres.cpp
 // fuzz-build: -isystem /usr/lib/x86_64-linux-gnu/openmpi/include -isystem /usr/include/trilinos
 // fuzz-build: -isystem /usr/include/suitesparse
