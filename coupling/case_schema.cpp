@@ -224,6 +224,9 @@ std::vector<Entry> tool_shape_entries() {
       {at + "Largest gap", quantity, length, "0.05 mm", above_up_to(0.0, 1e-2), "",
        "Largest distance between Tooling's STL of a tool, which grains touch, and the mesh "
        "behind."},
+      {at + "Stress interval", quantity, time, "0 s", within(0.0, 1e6), "",
+       "Between files of the tools' stress (TOOL_stress.pvd), at the ends of windows; shorter than "
+       "a window: each of them; 0: at the largest force only."},
   };
 }
 
