@@ -95,8 +95,7 @@ void RunFolder::write_tool_stresses(Press const& press) const {
       continue;
     YieldingTool const& tool = press.coupling.tool(t);
     // The time is before this frame's, so that a repeated window replaces what it wrote before.
-    PvdSeries frames(folder_ / (tool.name + "_stress.pvd"),
-                     std::nextafter(press.world.time, -1.0));
+    PvdSeries frames(folder_ / (tool.name + "_stress.pvd"), std::nextafter(press.world.time, -1.0));
     auto const name = snapshot_name((tool.name + "_stress").c_str(), frames.size(), "vtu");
     write_tool_stress(folder_ / name, tool, press.coupling.last_load(t));
     frames.add(press.world.time, name);

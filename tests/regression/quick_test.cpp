@@ -45,9 +45,9 @@ std::size_t frames_of(fs::path const& folder, std::string const& tool) {
 TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   support::ScratchFolder scratch;
   auto const folder = scratch / "quick";
-  auto const outcome = program::run(
-      {"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(), "--quiet",
-       "--set", "Deformable tools/Stress interval=10 ms"});
+  auto const outcome =
+      program::run({"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(),
+                    "--quiet", "--set", "Deformable tools/Stress interval=10 ms"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(departures_from_contract(folder), "");
   auto const summary = coupling::read_summary(folder / "summary.json");
