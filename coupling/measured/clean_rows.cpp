@@ -176,12 +176,17 @@ void drop_spikes(LabTable& table, std::span<Channel const> channels, TableName c
 
 void check_corrupt_share(LabTable const& table, TableName const& name) {
   double const all = static_cast<double>(table.size() + table.n_corrupt);
-  VALIDATE(table.n_corrupt <= 1 ||
-               static_cast<double>(table.n_corrupt) <= limits::corrupt_share * all,
-           fmt::format("{}: {} of {} rows are corrupt (at most {:.0f} % may be; the last: row {}, "
-                       "{}). Is the record damaged?",
-                       name.path, table.n_corrupt, all, 100 * limits::corrupt_share,
-                       table.decisions.back().row, table.decisions.back().what));
+  bool const are_few =
+      table.n_corrupt <= 1 || static_cast<double>(table.n_corrupt) <= limits::corrupt_share * all;
+  if (are_few)
+    return;
+  auto const last = std::ranges::find_if(table.decisions.rbegin(), table.decisions.rend(),
+                                         [](auto const& decision) { return decision.row > 0; });
+  throw dem::InvalidInput(fmt::format("{}: {} of {} rows are corrupt (at most {:.0f} % may be; the "
+                                      "last: row {}, {}). Is the record "
+                                      "damaged?",
+                                      name.path, table.n_corrupt, all, 100 * limits::corrupt_share,
+                                      last->row, last->what));
 }
 
 } // namespace coupling::measured

@@ -144,10 +144,17 @@ Instant gap_turn(LabTable const& positions, Channel const& gap) {
 
 Instant force_contact(LabTable const& forces, Channel const& force) {
   auto const& y = forces.series.at(force.name);
-  for (std::size_t k = 0; k + 1 < y.size(); ++k)
-    if (y[k] > limits::noise_sds * force.sd && y[k + 1] > limits::noise_sds * force.sd)
-      return {forces.time[k], sampling_sd(forces.time, k)};
-  return {none, none};
+  auto const& t = forces.time;
+  double const level = limits::noise_sds * force.sd;
+  std::size_t first = 0, second = 0;
+  while (first + 1 < y.size() && !(y[first] > level && y[first + 1] > level))
+    ++first;
+  for (second = first; second < y.size() && !(y[second] > 8.0 * level);)
+    ++second;
+  if (second >= y.size())
+    return {none, none};
+  double const rise = t[second] - t[first];
+  return {t[first] - 2.0 / 3.0 * rise, std::hypot(sampling_sd(t, first), rise / std::sqrt(27.0))};
 }
 
 Instant gap_contact(LabTable const& positions, PressProtocol const& press) {

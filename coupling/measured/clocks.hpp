@@ -21,7 +21,10 @@ Instant force_turn(LabTable const& forces, Channel const& force);
 /// the travel meets the smallest gap. So a dwell does not blur it.
 Instant gap_turn(LabTable const& positions, Channel const& gap);
 
-/// When the force leaves its noise for good: the first of two readings beyond limits::noise_sds.
+/// When the bed begins to push. A force F = c (t - t0)^p passes the level of its noise,
+/// limits::noise_sds, at t1 and eight times that level at t2, so t1 - t0 = (t2 - t1) / (8^(1/p) -
+/// 1). With p between 1.5 (one Hertz contact) and 3 (as press curves rise) t0 is t1 - 2/3 (t2 -
+/// t1), give or take the same spread evenly: (t2 - t1) / 27^(1/2).
 Instant force_contact(LabTable const& forces, Channel const& force);
 
 /// When the gap passes the fill height.

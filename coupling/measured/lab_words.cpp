@@ -91,6 +91,9 @@ ColumnHeader parse_column_header(std::string_view text) {
 
 std::string recognised_column(std::string_view name) {
   std::string const plain = folded(name);
+  // Symbols have their case: T is a temperature, f a frequency.
+  if (plain.size() == 1)
+    return name == "t" ? "time" : name == "F" ? "upper_punch_force" : "";
   for (auto const& [column, names] : vocabulary())
     if (std::ranges::find(names, plain) != names.end())
       return std::string(column);

@@ -3,12 +3,12 @@
 #include "coupling/measured/curve_numbers.hpp"
 #include "coupling/measured/limits.hpp"
 #include "dem/expect.hpp"
-#include "dem/vec3.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 namespace coupling::measured {
@@ -17,7 +17,7 @@ namespace {
 constexpr double MPa = 1e6, mm = 1e-3, kN = 1e3;
 
 double area_of(Sample const& sample) {
-  return 0.25 * dem::pi * sample.die_diameter.value * sample.die_diameter.value;
+  return 0.25 * std::numbers::pi * sample.die_diameter.value * sample.die_diameter.value;
 }
 
 /// Nearer to a factor of 1000 than to 1.
@@ -210,9 +210,9 @@ void check_turning(RunCheck const& check) {
   auto const& press = check.run.press;
   double const stroke = press.fill_height - press.end_gap;
   double const above = gap[high.place] - low.value;
-  double const room =
-      limits::turning_share * stroke + limits::noise_sds * check.data.channel("punch_gap")->sd;
-  VALIDATE(!(above > room),
+  double const sd =
+      std::hypot(check.data.channel("punch_gap")->sd, press.speed_down * check.run.clock_sd);
+  VALIDATE(!(above > limits::turning_share * stroke + limits::noise_sds * sd),
            fmt::format("{}: upper_punch_force is highest in row {}, where punch_gap is {:.6g} mm, "
                        "but punch_gap is smallest in row {}, {:.6g} mm (a bed pushes hardest where "
                        "it is pressed most). Do the columns belong to one clock, and is the gap no "
