@@ -66,6 +66,19 @@ TEST_F(MeasuredProperty, WritesWhatItReadsBackToTheBit) {
   }
 }
 
+TEST_F(MeasuredProperty, NoiseIsNeitherRefusedNorLeftOut) {
+  for (std::uint64_t seed = 100; seed < 300; ++seed) {
+    std::mt19937_64 random(seed);
+    auto rows = rough_rows(random, end_gap);
+    // Uneven sampling: a third of the readings was never taken.
+    std::erase_if(rows, [&](Row const&) { return random() % 3 == 0; });
+    files_["run1.csv"] = csv(rows);
+    auto const data = read();
+    EXPECT_EQ(data.runs[0].time.size(), rows.size()) << seed;
+    EXPECT_TRUE(data.decisions.empty()) << seed;
+  }
+}
+
 TEST_F(MeasuredProperty, UnitsChangeNothing) {
   auto const expected = read();
   // Powers of ten act on the decimal text, so no bit is lost.
