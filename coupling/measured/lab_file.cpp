@@ -100,6 +100,7 @@ void add_remarks(LabTable& table, LabText const& text, LabHeader const& header, 
     remarks.emplace_back("decimals are written with a comma");
   remarks.insert(remarks.end(), header.remarks.begin(), header.remarks.end());
   std::vector<Decision> decisions;
+  decisions.reserve(remarks.size());
   for (auto const& remark : remarks)
     decisions.push_back({file, 0, remark});
   table.decisions.insert(table.decisions.begin(), decisions.begin(), decisions.end());

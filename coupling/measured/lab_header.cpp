@@ -100,7 +100,7 @@ std::string checked_unit(std::string const& written, Physical physical, std::str
       fmt::format("{}: has no unit (a number without unit means nothing). Write 'name [unit]', "
                   "or give it in measured.json, in \"columns\"?",
                   where));
-  auto const symbol = unit_symbol(written);
+  auto symbol = unit_symbol(written);
   Unit unit;
   try {
     unit = parse_unit(symbol);

@@ -53,10 +53,8 @@ std::vector<Words> const& vocabulary() {
         "distancia", "separacion", "distancia entre punzones"}},
       {"travel",
        {"displacement", "travel", "stroke", "position", "extension", "crosshead",
-        "crosshead "
-        "position",
-        "crosshead displacement", "punch displacement", "weg", "traversenweg", "stempelweg", "hub",
-        "verfahrweg", "desplazamiento", "recorrido", "posicion", "carrera"}}};
+        "crosshead position", "crosshead displacement", "punch displacement", "weg", "traversenweg",
+        "stempelweg", "hub", "verfahrweg", "desplazamiento", "recorrido", "posicion", "carrera"}}};
   return all;
 }
 
@@ -80,8 +78,7 @@ ColumnHeader parse_column_header(std::string_view text) {
     return header;
   for (std::string_view const between : {" / ", " in ", " en "})
     if (auto const at = field.rfind(between); at != std::string::npos && at > 0) {
-      ColumnHeader const split{trimmed(field.substr(0, at)),
-                               trimmed(field.substr(at + between.size()))};
+      ColumnHeader split{trimmed(field.substr(0, at)), trimmed(field.substr(at + between.size()))};
       // "Distance in die" is a name.
       if (!split.unit.empty() && split.unit.find(' ') == std::string::npos)
         return split;
