@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/elastic/coupling_choice.hpp"
+#include "coupling/load_cell.hpp"
 #include "coupling/press_frame.hpp"
 #include "dem/contact/contact_choice.hpp"
 #include "dem/material.hpp"
@@ -114,6 +115,7 @@ struct Case {
   Tooling tooling;
   ElasticTools elastic;
   FrameLaw frame;
+  LoadCellErrors load_cell;
   std::vector<Stage> stages;
   TimeStepping time_stepping;
   Output output;

@@ -142,7 +142,17 @@ FrameLaw read_frame(CaseReader& read) {
   std::string const at = "Press frame/";
   return {.stiffness = read.number(at + "Stiffness"),
           .seating = read.number(at + "Seating"),
-          .seating_force = read.number(at + "Seating force")};
+          .seating_force = read.number(at + "Seating force"),
+          .gap_offset = read.number(at + "Gap offset"),
+          .thermal_drift = read.number(at + "Thermal drift")};
+}
+
+LoadCellErrors read_load_cell(CaseReader& read) {
+  std::string const at = "Load cell/";
+  return {.gain = read.number(at + "Gain"),
+          .offset = read.number(at + "Offset"),
+          .drift = read.number(at + "Drift"),
+          .lag = read.number(at + "Time constant")};
 }
 
 Case build_case(CaseText const& text, std::filesystem::path const& file) {
@@ -156,6 +166,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.tooling = read_tooling(read);
   result.elastic = read_elastic_tools(read, result.mode, result.tooling);
   result.frame = read_frame(read);
+  result.load_cell = read_load_cell(read);
   result.stages = read_stages(read);
   result.time_stepping = read_time_stepping(read);
   result.output = read_output(read);

@@ -249,6 +249,23 @@ std::vector<Entry> frame_entries() {
        "What the machine's joints give in all, on top of its stiffness, until they are seated."},
       {at + "Seating force", quantity, force, "0 N", within(0.0, 1e7), "",
        "Force scale F_s of that: seating (1 - exp(-F / F_s))."},
+      {at + "Gap offset", quantity, length, "0 mm", within(-0.01, 0.01), "",
+       "How much further apart the punch faces are than the machine takes them to be."},
+      {at + "Thermal drift", quantity, speed, "0 m/s", within(-1.0, 1.0), "",
+       "Growth of that in time, as the frame warms."},
+  };
+}
+
+std::vector<Entry> load_cell_entries() {
+  std::string const at = "Load cell/";
+  return {
+      {at + "Gain", quantity, ratio, "1", above_up_to(0.0, 10.0), "",
+       "What the load cell on the upper punch shows (upper_punch_reading) of each newton."},
+      {at + "Offset", quantity, force, "0 N", within(-1e7, 1e7), "", "What it shows unloaded."},
+      {at + "Drift", quantity, force_rate, "0 N/s", within(-1e9, 1e9), "",
+       "Growth of that in time."},
+      {at + "Time constant", quantity, time, "0 s", within(0.0, 1e3), "",
+       "Lag of the reading behind the force, of first order."},
   };
 }
 
@@ -349,6 +366,7 @@ std::vector<Entry> all_entries() {
   append(elastic_entries());
   append(tool_shape_entries());
   append(frame_entries());
+  append(load_cell_entries());
   for (int number = 1; number <= max_stages; ++number)
     append(stage_entries(number));
   append(running_entries());

@@ -23,6 +23,7 @@ struct Press {
   PressProgramme programme;
   PressRecord record;
   PressTally tally;
+  LoadCell load_cell;
   ToolCoupling coupling; ///< of grains and deformable tools; rigid ones need none
   double grain_mass =
       0.0; ///< [kg], of all grains; kept, because a sum in another order is another number
@@ -70,6 +71,7 @@ template <class Writer> void Press::save(Writer&& write) {
   coupling.visit_state(write);
   visit_record(record, programme.stages(), write);
   tally.visit_state(write);
+  load_cell.visit_state(write);
   write("grains/total_mass", grain_mass);
 }
 
@@ -82,6 +84,7 @@ template <class Reader> void Press::load(Reader&& read) {
   coupling.show_courses();
   visit_record(record, programme.stages(), read);
   tally.visit_state(read);
+  load_cell.visit_state(read);
   read("grains/total_mass", grain_mass);
 }
 

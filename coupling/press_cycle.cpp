@@ -88,6 +88,7 @@ void PressCycle::step() {
   guard_step(world);
 
   double const force = squeezing_force(tool_named(world, "upper_punch"));
+  press_.load_cell.step_done(force, dt);
   tally.max_force = std::max(tally.max_force, force);
   if (press_.programme.stage().until == Limit::flush)
     tally.ejection_force =

@@ -43,6 +43,7 @@ double FrameLaw::energy(double force) const {
 }
 
 void PressFrame::step_done(double force, double gap, double dt) {
+  clock_ += dt;
   if (law_.is_rigid())
     return;
   deflection_ += dt * speed_;

@@ -6,12 +6,15 @@ namespace coupling {
 
 /// How far the machine gives under the force that it carries [m]:
 ///   D(F) = F/K + s (1 - exp(-F/F_s)),  F >= 0
-/// a spring, and joints that seat themselves under the first load.
+/// a spring, and joints that seat themselves under the first load. Its zero may be wrong, too.
 struct FrameLaw {
   double stiffness = 0.0;     ///< K [N/m]; 0: rigid, and nothing below counts
   double seating = 0.0;       ///< s [m], that the joints give in all
   double seating_force = 0.0; ///< F_s [N], scale on which they do
+  /// How far off the machine's idea of the gap is at no force: z_0 [m] + e [m/s] t.
+  double gap_offset = 0.0, thermal_drift = 0.0;
 
+  bool measures_the_gap() const { return gap_offset == 0.0 && thermal_drift == 0.0; }
   bool is_rigid() const { return stiffness == 0.0; }
   double deflection(double force) const;
   double compliance(double force) const; ///< dD/dF [m/N]
@@ -33,8 +36,9 @@ public:
   explicit PressFrame(FrameLaw law = {}) : law_(law) {}
 
   FrameLaw const& law() const { return law_; }
-  double deflection() const { return deflection_; } ///< [m], opens the gap
-  double speed() const { return speed_; }           ///< [m/s], of the ramp
+  /// [m], opens the gap beyond what the machine takes it to be; error of its zero included.
+  double deflection() const { return deflection_ + law_.gap_offset + law_.thermal_drift * clock_; }
+  double speed() const { return speed_ + law_.thermal_drift; } ///< [m/s], of deflection()
 
   /// After every step.
   /// @param force  that squeezes the upper punch [N]
@@ -46,6 +50,7 @@ public:
   double largest_error() const;
 
   template <class Field> void visit_state(Field&& field) {
+    field("frame/clock", clock_);
     field("frame/deflection", deflection_);
     field("frame/speed", speed_);
     field("frame/steps", steps_);
@@ -65,8 +70,9 @@ private:
   void end_window();
 
   FrameLaw law_;
-  double deflection_ = 0.0; // [m]
-  double speed_ = 0.0;      // [m/s]
+  double clock_ = 0.0;      // [s], since the start
+  double deflection_ = 0.0; // [m], of the spring
+  double speed_ = 0.0;      // [m/s], of its ramp
 
   // The present window.
   std::uint64_t steps_ = 0;

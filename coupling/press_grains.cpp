@@ -37,11 +37,12 @@ dem::Packing fill_at_random(Case const& setup) {
   // Facets stand inside the bore by up to the chordal tolerance.
   double const sagitta =
       setup.tooling.walls == WallKind::surface ? setup.tooling.chordal_tolerance : 0.0;
-  return dem::fill_cylinder(dem::count_grains(shares, setup.powder.total_mass),
-                            {.radius = 0.5 * setup.tooling.bore_diameter,
-                             .height = setup.powder.fill_height,
-                             .wall_clearance = sagitta},
-                            setup.powder.seed);
+  // Where the punch stands lower than the machine takes it to stand, there is less room.
+  double const height = setup.powder.fill_height + std::min(setup.frame.gap_offset, 0.0);
+  return dem::fill_cylinder(
+      dem::count_grains(shares, setup.powder.total_mass),
+      {.radius = 0.5 * setup.tooling.bore_diameter, .height = height, .wall_clearance = sagitta},
+      setup.powder.seed);
 }
 
 /// The grains of a state file, in the order of their ids.

@@ -84,6 +84,7 @@ void read_energies(Press const& press, Reading& r) {
 
 void read_forces(Press const& press, Reading& r) {
   r.upper_punch_force = squeezing_force(tool_named(press.world, "upper_punch"));
+  r.upper_punch_reading = press.load_cell.reading();
   r.lower_punch_force = squeezing_force(tool_named(press.world, "lower_punch"));
   r.wall_axial_force = squeezing_force(tool_named(press.world, "die"));
   double const weight = -press.grain_mass * press.world.gravity.z();
@@ -111,6 +112,7 @@ std::vector<PressRecord::Column> curve_columns() {
           {"punch_gap", "m"},
           {"bed_height", "m"},
           {"upper_punch_force", "N"},
+          {"upper_punch_reading", "N"},
           {"lower_punch_force", "N"},
           {"wall_axial_force", "N"},
           {"wall_radial_pressure", "Pa"},
@@ -143,6 +145,7 @@ std::vector<double> row_of(Reading const& r) {
           r.punch_gap,
           r.bed_height,
           r.upper_punch_force,
+          r.upper_punch_reading,
           r.lower_punch_force,
           r.wall_axial_force,
           r.wall_radial_pressure,

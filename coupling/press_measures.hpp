@@ -17,6 +17,7 @@ struct Reading {
   double punch_gap = 0.0;            ///< [m], as the machine commands it
   double bed_height = 0.0;           ///< [m], between the punch faces as they are
   double upper_punch_force = 0.0;    ///< [N]
+  double upper_punch_reading = 0.0;  ///< [N], what its load cell shows
   double lower_punch_force = 0.0;    ///< [N]
   double wall_axial_force = 0.0;     ///< [N]
   double wall_radial_pressure = 0.0; ///< [Pa], radial force / area of the bore that the bed covers

@@ -57,11 +57,14 @@ Press empty_press(Case const& setup) {
     throw dem::InvalidInput(
         fmt::format("{}: Press programme: {}", setup.file.string(), error.what()));
   }
-  VALIDATE(
-      setup.frame.is_rigid() || std::ranges::count(stages, StageKind::follow, &Stage::kind) == 0,
-      fmt::format("{}: Press frame/Stiffness: a stage follows the gap as measured at the punch "
-                  "faces, behind the frame. Set it to 0, or move by command?",
-                  setup.file.string()));
+  VALIDATE((setup.frame.is_rigid() && setup.frame.measures_the_gap()) ||
+               std::ranges::count(stages, StageKind::follow, &Stage::kind) == 0,
+           fmt::format("{}: Press frame/{}: a stage follows the gap as measured at the punch "
+                       "faces, behind the frame. Set it to 0, or move by command?",
+                       setup.file.string(),
+                       !setup.frame.is_rigid()         ? "Stiffness"
+                       : setup.frame.gap_offset != 0.0 ? "Gap offset"
+                                                       : "Thermal drift"));
   VALIDATE(setup.tooling.walls != WallKind::analytic ||
                std::ranges::count(stages, Limit::flush, &Stage::until) == 0,
            fmt::format("{}: Tooling/Walls = analytic: a stage ends flush with the die's rim, which "
@@ -74,8 +77,10 @@ Press empty_press(Case const& setup) {
                                           setup.time_stepping.adaptive, setup.frame),
               .record = PressRecord(curve_columns()),
               .tally = {},
+              .load_cell = LoadCell(setup.load_cell),
               .coupling = {}};
   put_tools(press);
+  tool_named(press.world, "upper_punch").displacement.z() += setup.frame.gap_offset;
   return press;
 }
 
@@ -87,13 +92,14 @@ double total_mass(dem::Spheres const& grains) {
 void check_walls(Case const& setup, dem::Spheres const& grains) {
   double const bore = 0.5 * setup.tooling.bore_diameter;
   double const limit = setup.time_stepping.max_relative_overlap;
+  double const gap = setup.powder.fill_height + setup.frame.gap_offset;
   std::size_t n_outside = 0, worst = 0;
   double deepest = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i) {
     dem::Vec3 const& x = grains.position[i];
     double const R = grains.radius[i];
-    double const overlap = std::max(
-        {std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - setup.powder.fill_height});
+    double const overlap =
+        std::max({std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - gap});
     if (overlap <= limit * R)
       continue;
     ++n_outside;

@@ -26,6 +26,7 @@ PhysicalName const& describe(Physical physical) {
       {"a density", "kg/m^3", "kg/m^3, g/cm^3", {1, -3, 0}},
       {"an energy density", "J/m^3", "J/m^3, kJ/m^3, MJ/m^3", {1, -1, -2}},
       {"an energy per area", "J/m^2", "J/m^2, mJ/m^2", {1, 0, -2}},
+      {"a force rate", "N/s", "N/s, N/min", {1, 1, -3}},
   };
   return names[static_cast<std::size_t>(physical)];
 }

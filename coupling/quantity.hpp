@@ -28,7 +28,8 @@ enum class Physical {
   modulus,
   density,
   energy_density,
-  surface_energy
+  surface_energy,
+  force_rate
 };
 
 /// A physical quantity in words.

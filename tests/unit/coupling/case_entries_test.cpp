@@ -123,6 +123,18 @@ TEST(EveryEntry, OfPowderAndToolsReachesTheCase) {
   EXPECT_EQ(it.gravity, dem::Vec3(1.0, 2.0, -3.0));
 }
 
+TEST(EveryEntry, OfTheMachineReachesTheCase) {
+  Case const it = seed({"Press frame/Gap offset=-0.2 mm", "Press frame/Thermal drift=3 um/min",
+                        "Load cell/Gain=98 %", "Load cell/Offset=-40 N", "Load cell/Drift=6 N/min",
+                        "Load cell/Time constant=20 ms"});
+  EXPECT_EQ(it.frame.gap_offset, -0.2e-3);
+  EXPECT_DOUBLE_EQ(it.frame.thermal_drift, 3e-6 / 60.0);
+  EXPECT_EQ(it.load_cell.gain, 0.98);
+  EXPECT_EQ(it.load_cell.offset, -40.0);
+  EXPECT_DOUBLE_EQ(it.load_cell.drift, 0.1);
+  EXPECT_EQ(it.load_cell.lag, 20e-3);
+}
+
 TEST(EveryEntry, OfPlasticContactsReachesTheCase) {
   Case const yields = seed({"Contact/Preset=custom", "Contact/Normal law=thornton_ning",
                             "Contact/Cohesion law=sjkr2", "Contact/Tangential law=mindlin",
