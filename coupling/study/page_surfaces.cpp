@@ -1,0 +1,188 @@
+#include "coupling/study/page_tables.hpp"
+
+#include "coupling/report/html.hpp"
+#include "coupling/report/sections.hpp"
+#include "coupling/study/page_units.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling::study {
+namespace {
+
+Cell number(double value, int digits = 5) {
+  return {std::isfinite(value) ? short_number(value, digits) : "-", true};
+}
+
+/// A p-value: what is below a hundredth of a per cent need not be told apart.
+Cell probability(double p) {
+  if (!std::isfinite(p))
+    return {"-", true};
+  return {p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", p), true};
+}
+
+std::string coefficients_html(ResponseAnalysis const& part, ShownUnit const& unit) {
+  std::vector<TableRow> rows;
+  for (Coefficient const& c : part.surface.coefficients())
+    rows.push_back({{{c.name},
+                     number(unit.factor * c.value),
+                     number(unit.factor * c.standard_error, 3),
+                     {std::isfinite(c.t) ? fmt::format("{:.2f}", c.t) : "-", true},
+                     probability(c.p),
+                     number(unit.factor * c.lower, 4),
+                     number(unit.factor * c.upper, 4)},
+                    ""});
+  std::vector<std::string> const header{"Coded term", "Coefficient", "Std. error", "t",
+                                        "p",          "95 % from",   "to"};
+  return table_html(header, rows);
+}
+
+TableRow anova_row(AnovaRow const& row, double unit_squared) {
+  return {{{row.name},
+           {fmt::format("{}", row.df), true},
+           {std::isfinite(row.ss) ? fmt::format("{:.4g}", unit_squared * row.ss) : "-", true},
+           {std::isfinite(row.mean_square) ? fmt::format("{:.4g}", unit_squared * row.mean_square)
+                                           : "-",
+            true},
+           {std::isfinite(row.f) ? fmt::format("{:.4g}", row.f) : "-", true},
+           probability(row.p)},
+          ""};
+}
+
+std::string anova_html(Anova const& anova, ShownUnit const& unit) {
+  double const squared = unit.factor * unit.factor;
+  std::vector<TableRow> rows{anova_row(anova.model, squared)};
+  for (auto const* part : {&anova.groups, &anova.terms})
+    for (AnovaRow const& row : *part)
+      rows.push_back(anova_row(row, squared));
+  rows.push_back(anova_row(anova.residual, squared));
+  if (anova.pure_error.df > 0) {
+    rows.push_back(anova_row(anova.lack_of_fit, squared));
+    rows.push_back(anova_row(anova.pure_error, squared));
+  }
+  rows.push_back(anova_row(anova.total, squared));
+  std::vector<std::string> const header{"Source", "df", "Sum of squares", "Mean square", "F", "p"};
+  return table_html(header, rows);
+}
+
+std::string fit_in_words(ResponseAnalysis const& part) {
+  auto const& surface = part.surface;
+  auto const& lack = part.anova.lack_of_fit;
+  auto text =
+      fmt::format("R\u00b2 {:.4f}, adjusted {:.4f}, predicted {:.4f} (each run foretold by "
+                  "the others). ",
+                  surface.r_squared(), surface.adjusted_r_squared(), surface.predicted_r_squared());
+  if (part.anova.pure_error.df == 0)
+    return text + "No point was run twice, so lack of fit cannot be told from scatter.";
+  return text +
+         fmt::format("Lack of fit: F = {:.3g}, p = {:.2g}, so the surface {} the runs within "
+                     "the scatter of their packings.",
+                     lack.f, lack.p, lack.p < 0.05 ? "does not hold" : "holds");
+}
+
+} // namespace
+
+std::string surfaces_html(StudyPage const& page) {
+  if (!page.analysis)
+    return "";
+  std::string out;
+  int k = 0;
+  for (ResponseAnalysis const& part : page.analysis->responses) {
+    auto const unit = shown_unit(page.table, part.response);
+    auto quantity = part.response.quantity;
+    std::ranges::replace(quantity, '_', ' ');
+    std::vector<std::string> words;
+    for (FactorInfluence const& influence : part.influences)
+      words.push_back(influence.statement);
+    out += fmt::format("<section class=\"card response\"><h2>{} <small>{}{}</small></h2>\n"
+                       "<p class=\"quiet\">{}</p>\n<div class=\"charts\" id=\"surface-{}\"></div>\n"
+                       "<div class=\"pair\"><div class=\"scroll\">{}</div><div class=\"scroll\">{}"
+                       "</div></div>\n",
+                       escape_html(part.response.name), escape_html(quantity),
+                       unit.text.empty() ? "" : ", " + escape_html(unit.text),
+                       escape_html(fit_in_words(part)), k++, coefficients_html(part, unit),
+                       anova_html(part.anova, unit));
+    for (auto const& word : words)
+      out += "<p class=\"quiet\">" + escape_html(word) + ".</p>\n";
+    out += "</section>\n";
+  }
+  return out;
+}
+
+std::string trends_html(StudyPage const& page) {
+  if (!page.analysis || page.analysis->trends.empty())
+    return "";
+  std::string out = "<section class=\"card\" id=\"trends\"><h2>A size that was not run</h2>\n";
+  int k = 0;
+  for (ResponseTrend const& part : page.analysis->trends) {
+    auto const& response =
+        *std::ranges::find(page.table.study.responses, part.response, &StudyResponse::name);
+    auto const unit = shown_unit(page.table, response);
+    std::vector<TableRow> rows;
+    for (TrendFit const& fit : part.trend.fits)
+      rows.push_back({{{fit.form},
+                       number(unit.factor * fit.value, 4),
+                       number(unit.factor * fit.lower, 4),
+                       number(unit.factor * fit.upper, 4),
+                       number(unit.factor * std::sqrt(fit.residual_ss /
+                                                      static_cast<double>(part.sizes.size())),
+                              3),
+                       {fmt::format("{}", fit.df), true}},
+                      ""});
+    std::vector<std::string> const header{
+        "Form", unit.head(part.response), "95 % from, if the form were true",
+        "to",   "rms of the fit",         "df"};
+    out += fmt::format(
+        "<div class=\"charts\" id=\"trend-{}\"></div>\n<div class=\"scroll\">{}</div>\n", k++,
+        table_html(header, rows));
+    for (auto const* words : {&part.trend.statements, &part.trend.left_out})
+      for (auto const& one : *words)
+        out += "<p class=\"quiet\">" + escape_html(one) + "</p>\n";
+  }
+  return out + "</section>\n";
+}
+
+std::string cost_html(StudyPage const& page) {
+  if (!page.analysis || !page.analysis->cost)
+    return "";
+  CostAnalysis const& cost = *page.analysis->cost;
+  auto const& plan = page.table.study.cost;
+  std::vector<TableRow> rows;
+  for (CostForecast const& one : cost.forecasts)
+    rows.push_back({{{fmt::format("{} = {}", cost.factor, plan.text(one.at, page.table.study))},
+                     {duration_text(one.seconds.value), true},
+                     {duration_text(one.seconds.run_lower), true},
+                     {duration_text(one.seconds.run_upper), true},
+                     number(one.grains.value, 3),
+                     number(1e-9 * one.bytes, 3),
+                     number(1e-9 * one.bytes_upper, 3)},
+                    ""});
+  std::vector<std::string> const header{
+      "A run at",           "Processor time",          "95 % from", "to", "Grains",
+      "Memory [GB], up to", "at the grains' upper end"};
+  std::string out = "<section class=\"card\" id=\"cost\"><h2>What a run costs</h2>\n"
+                    "<div class=\"charts\" id=\"cost-plot\"></div>\n";
+  if (cost.law)
+    out += "<p>" +
+           escape_html(
+               std::isfinite(cost.law->exponent_lower)
+                   ? fmt::format(
+                         "Processor time grows as {} to the power {:.3g} (95 %: {:.3g} to {:.3g}).",
+                         cost.factor, cost.law->exponent, cost.law->exponent_lower,
+                         cost.law->exponent_upper)
+                   : fmt::format("Processor time grows as {} to the power {:.3g} (too few runs for "
+                                 "an interval).",
+                                 cost.factor, cost.law->exponent)) +
+           "</p>\n";
+  if (cost.law && !rows.empty())
+    out += "<div class=\"scroll\">" + table_html(header, rows) +
+           "</div>\n<p class=\"quiet\">Memory is what the program is allowed: 200 MB and 1000 B a "
+           "grain.</p>\n";
+  for (auto const& statement : cost.statements)
+    out += "<p class=\"quiet\">" + escape_html(statement) + "</p>\n";
+  return out + "</section>\n";
+}
+
+} // namespace coupling::study
