@@ -6,7 +6,8 @@ const byId = id => document.getElementById(id);
 let points = 0;
 
 function addFigure(parent, id, wide) {
-  const figure = element('figure', {class: `card chart${wide ? ' wide' : ''}`, id}, null, parent);
+  const figure = element('figure', {class: `card chart${wide ? ' wide' : ''}`, id});
+  parent.insertBefore(figure, parent.querySelector(':scope > .tables'));
   element('figcaption', {}, null, figure);
   element('div', {class: 'plot'}, null, figure);
   return figure;
@@ -33,7 +34,7 @@ function drawSurfaces(response, k, parent) {
   const l = response.line, f = facts.factors[0];
   addChart(PointChart, parent, `line-${k}`, {
     caption: `${response.name} over ${f.name}`, note: 'the surface, its 95 % confidence band and the prediction band of a run',
-    x: {label: f.name, unit: f.unit}, y: {label: response.name, unit: response.unit}, hover: 'nearest',
+    x: {label: f.name, unit: f.unit}, y: {label: response.name, unit: response.unit, bands: [-Infinity, Infinity]}, hover: 'nearest',
     marks: response.target === null ? [] : [{name: 'target', y: response.target, sd: response.sd}],
     series: [{name: 'prediction of a run', x: l.x, y: l.y, low: l.run_low, high: l.run_high, look: 'line', colour: '#8fa3b8', opacity: 0.16, width: 0.1},
              {name: 'surface', x: l.x, y: l.y, low: l.mean_low, high: l.mean_high, look: 'line', colour: palette[0], opacity: 0.16},
@@ -45,7 +46,7 @@ function drawPredicted(response, k, parent) {
   const all = [...response.runs, ...response.validation].flatMap(r => [r.foretold, r.value]).filter(finite);
   const ends = [Math.min(...all), Math.max(...all)];
   addChart(PointChart, parent, `predicted-${k}`, {
-    caption: 'Observed against predicted', note: 'bars: 95 % prediction interval of a run at the prediction',
+    caption: 'Observed against predicted', note: 'bars: 95 % prediction interval',
     x: {label: `${response.name} predicted`, unit: response.unit}, y: {label: `${response.name} observed`, unit: response.unit}, hover: 'nearest',
     series: [{name: 'equal', x: ends, y: ends, colour: '#9aa4b0', dash: '5 3'},
              {name: 'runs', ...from(response.runs), look: 'points', colour: palette[0]},

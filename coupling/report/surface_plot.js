@@ -41,8 +41,8 @@ class SurfacePlot {
     this.plot = figure.querySelector('.plot');
     this.plot.classList.add('square');
     const note = element('div', {class: 'surface-note'});
-    note.textContent = 'Dots: runs, mean of a point. ' + (spec.response.target !== null ? 'Red: the target. ' : '') +
-        (spec.calibration ? 'Black: calibrated, with 95 % intervals and joint region.' : '');
+    note.textContent = 'Dots: runs' + (spec.response.target !== null ? '; red: the target' : '') +
+        (spec.calibration ? '; black: calibrated, 95 % intervals and region' : '');
     figure.insertBefore(note, this.plot);
     this.width = 560;
     this.height = 460;
@@ -108,7 +108,9 @@ class SurfacePlot {
     const segments = contourSegments(this.spec.grid.values, n, level);
     const d = segments.map(([a, b, c, e]) => `M${x(a).toFixed(1)} ${y(b).toFixed(1)}L${x(c).toFixed(1)} ${y(e).toFixed(1)}`).join('');
     const away = s => Math.abs((s[0] + s[2]) / 2 / (n - 1) - 0.5) + Math.abs((s[1] + s[3]) / 2 / (n - 1) - 0.24);
-    const best = segments.reduce((a, s) => !a || away(s) < away(a) ? s : a, null);
+    const margin = 0.06 * (n - 1);  // a label at the rim would be cut off
+    const best = segments.filter(s => s[0] > margin && s[0] < n - 1 - margin && s[1] > margin && s[1] < n - 1 - margin)
+        .reduce((a, s) => !a || away(s) < away(a) ? s : a, null);
     return {d, label: best && [x((best[0] + best[2]) / 2), y((best[1] + best[3]) / 2)]};
   }
 
@@ -117,7 +119,7 @@ class SurfacePlot {
       const line = this.lineAt(t.value);
       if (!line.d) continue;
       element('path', {d: line.d, stroke: '#4c6f90', 'stroke-width': 0.8, 'stroke-opacity': 0.7}, null, svg);
-      element('text', {x: line.label[0], y: line.label[1] + 4, 'text-anchor': 'middle', class: 'value'}, t.text, svg);
+      if (line.label) element('text', {x: line.label[0], y: line.label[1] + 4, 'text-anchor': 'middle', class: 'value'}, t.text, svg);
     }
     const target = this.spec.response.target;
     if (target === null || !(target > this.low && target < this.high)) return;

@@ -1,5 +1,5 @@
+#include "coupling/study/page_tables.hpp"
 #include "coupling/study/page_units.hpp"
-#include "coupling/study/study_page.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,44 +9,6 @@
 
 namespace coupling::study {
 namespace {
-
-std::string shown(StudyPage const& page, std::string const& response, double value) {
-  auto const& all = page.table.study.responses;
-  auto const& one = *std::ranges::find(all, response, &StudyResponse::name);
-  auto const unit = shown_unit(page.table, one);
-  return short_number(unit.factor * value, 4) + (unit.text.empty() ? "" : " " + unit.text);
-}
-
-std::string calibrated(StudyPage const& page) {
-  Calibration const& found = *page.analysis->calibration;
-  std::vector<std::string> free, held, targets;
-  for (std::size_t f = 0; f < found.factors.size(); ++f) {
-    auto const& one = found.factors[f];
-    auto const& factor = page.table.study.factors[f];
-    if (one.is_held)
-      held.push_back(fmt::format("{} held at {}", one.name, factor.text(one.value)));
-    else
-      free.push_back(fmt::format("{} = {} (95 %: {} to {}{})", one.name, factor.text(one.value),
-                                 factor.text(one.lower), factor.text(one.upper),
-                                 one.is_at_bound ? ", at a bound" : ""));
-  }
-  for (auto const& one : found.targets)
-    targets.push_back(fmt::format("{} = {}", one.response, shown(page, one.response, one.target)));
-  return fmt::format("Calibrated to {}: {}{}.", fmt::join(targets, ", "), fmt::join(free, ", "),
-                     held.empty() ? "" : fmt::format(", with {}", fmt::join(held, ", ")));
-}
-
-/// Where a single response is met exactly.
-void add_roots(std::vector<std::string>& all, StudyPage const& page) {
-  for (ResponseRoots const& part : page.analysis->roots)
-    for (TargetRoot const& root : part.roots)
-      for (std::size_t f = 0; f < page.table.study.factors.size(); ++f)
-        if (!page.analysis->calibration->factors[f].is_held)
-          all.push_back(fmt::format("{} alone is met at {} = {} (standard deviation {}).",
-                                    part.response, page.table.study.factors[f].name,
-                                    page.table.study.factors[f].text(root.value),
-                                    page.table.study.factors[f].text(root.sd)));
-}
 
 std::string screened(Analysis const& analysis) {
   std::vector<std::string> parts;
@@ -64,14 +26,15 @@ void add_doubts(std::vector<std::string>& all, Analysis const& analysis) {
       all.push_back(fmt::format("{} does not lie on its surface: lack of fit has p = {:.2g}.",
                                 part.response.name, part.anova.lack_of_fit.p));
     if (part.surface.predicted_r_squared() < 0.5)
-      all.push_back(fmt::format("The surface of {} foretells little: predicted R\u00b2 is {:.2f}.",
-                                part.response.name, part.surface.predicted_r_squared()));
+      all.push_back(fmt::format(
+          "The surface of {} foretells little: predicted R\u00b2 is {:.2f} (1 is best).",
+          part.response.name, part.surface.predicted_r_squared()));
   }
 }
 
 std::string extrapolated(StudyPage const& page, ResponseTrend const& part) {
   auto const& study = page.table.study;
-  auto const text = [&](double value) { return shown(page, part.response, value); };
+  auto const text = [&](double value) { return shown_text(page, part.response, value); };
   auto words =
       fmt::format("{} at {} = {}, which was not run: ", part.response, study.extrapolation.factor,
                   study.factor(study.extrapolation.factor)->text(part.trend.size));
@@ -110,12 +73,8 @@ std::vector<std::string> answers(StudyPage const& page) {
   if (!page.analysis)
     return all;
   Analysis const& analysis = *page.analysis;
-  if (analysis.calibration) {
-    all.push_back(calibrated(page));
-    add_roots(all, page);
-    for (auto const& statement : analysis.calibration->statements)
-      all.push_back(statement);
-  }
+  if (analysis.calibration)
+    all = calibration_answers(page);
   if (!analysis.validation.empty())
     all.push_back(validated(analysis));
   if (analysis.influences.size() > 1)

@@ -13,7 +13,7 @@ namespace coupling::study {
 namespace {
 
 Cell number(double value, int digits = 5) {
-  return {std::isfinite(value) ? short_number(value, digits) : "-", true};
+  return {short_number(value, digits), true};
 }
 
 /// A p-value: what is below a hundredth of a per cent need not be told apart.
@@ -23,16 +23,34 @@ Cell probability(double p) {
   return {p < 1e-4 ? "< 0.0001" : fmt::format("{:.4f}", p), true};
 }
 
+/// As many decimals as the standard errors have meaning.
+int decimals_of_errors(std::vector<Coefficient> const& coefficients, double unit) {
+  std::vector<double> errors;
+  for (Coefficient const& c : coefficients)
+    errors.push_back(unit * c.standard_error);
+  double const least = std::ranges::min(errors);
+  if (least > 0.0)
+    return std::clamp(2 - static_cast<int>(std::floor(std::log10(least))), 0, 9);
+  for (std::size_t k = 0; k < errors.size(); ++k)
+    errors[k] = unit * coefficients[k].value;
+  return decimals_of(errors);
+}
+
 std::string coefficients_html(ResponseAnalysis const& part, ShownUnit const& unit) {
+  auto const coefficients = part.surface.coefficients();
+  int const decimals = decimals_of_errors(coefficients, unit.factor);
+  auto const shown = [&](double value) {
+    return Cell{fixed_number(unit.factor * value, decimals), true};
+  };
   std::vector<TableRow> rows;
-  for (Coefficient const& c : part.surface.coefficients())
+  for (Coefficient const& c : coefficients)
     rows.push_back({{{c.name},
-                     number(unit.factor * c.value),
-                     number(unit.factor * c.standard_error, 3),
-                     {std::isfinite(c.t) ? fmt::format("{:.2f}", c.t) : "-", true},
+                     shown(c.value),
+                     shown(c.standard_error),
+                     {fixed_number(c.t, 2), true},
                      probability(c.p),
-                     number(unit.factor * c.lower, 4),
-                     number(unit.factor * c.upper, 4)},
+                     shown(c.lower),
+                     shown(c.upper)},
                     ""});
   std::vector<std::string> const header{"Coded term", "Coefficient", "Std. error", "t",
                                         "p",          "95 % from",   "to"};
@@ -82,6 +100,34 @@ std::string fit_in_words(ResponseAnalysis const& part) {
                      lack.f, lack.p, lack.p < 0.05 ? "does not hold" : "holds");
 }
 
+/// What is to be known of a trend that is carried on, in the units shown.
+std::vector<std::string> trend_words(StudyPage const& page, ResponseTrend const& part) {
+  auto const& study = page.table.study;
+  auto const& factor = *study.factor(study.extrapolation.factor);
+  auto const [low, high] = std::ranges::minmax(part.sizes);
+  double const at = part.trend.size;
+  std::vector<std::string> words;
+  if (at < low || at > high)
+    words.push_back(fmt::format("{} = {} lies {:.3g} times beyond the nearest size that was run "
+                                "({} to {}).",
+                                factor.name, factor.text(at), at < low ? low / at : at / high,
+                                factor.text(low), factor.text(high)));
+  auto const unit = shown_unit(
+      page.table, *std::ranges::find(study.responses, part.response, &StudyResponse::name));
+  if (part.trend.fits.size() > 1)
+    words.push_back(
+        fmt::format("The choice of the form alone is worth {} {}.",
+                    short_number(unit.factor * (part.trend.highest - part.trend.lowest), 2),
+                    unit.text == "%" ? "points" : unit.text));
+  auto const n_ranked = std::ranges::count_if(
+      part.trend.fits, [](TrendFit const& one) { return std::isfinite(one.aicc); });
+  if (n_ranked < 2 && part.trend.fits.size() > 1)
+    words.push_back(fmt::format("{} points are too few to rank the forms.", part.sizes.size()));
+  for (auto const& reason : part.trend.left_out)
+    words.push_back("Left out: " + reason + ".");
+  return words;
+}
+
 } // namespace
 
 std::string surfaces_html(StudyPage const& page) {
@@ -96,14 +142,15 @@ std::string surfaces_html(StudyPage const& page) {
     std::vector<std::string> words;
     for (FactorInfluence const& influence : part.influences)
       words.push_back(influence.statement);
-    out += fmt::format("<section class=\"card response\"><h2>{} <small>{}{}</small></h2>\n"
-                       "<p class=\"quiet\">{}</p>\n<div class=\"charts\" id=\"surface-{}\"></div>\n"
-                       "<div class=\"pair\"><div class=\"scroll\">{}</div><div class=\"scroll\">{}"
-                       "</div></div>\n",
-                       escape_html(part.response.name), escape_html(quantity),
-                       unit.text.empty() ? "" : ", " + escape_html(unit.text),
-                       escape_html(fit_in_words(part)), k++, coefficients_html(part, unit),
-                       anova_html(part.anova, unit));
+    out += fmt::format(
+        "<section class=\"card response\"><h2>{} <small>{}{}</small></h2>\n<p "
+        "class=\"quiet\">{}</p>\n"
+        "<div class=\"charts\" id=\"surface-{}\"><div class=\"tables\"><h3>Coefficients</h3>"
+        "<div class=\"scroll\">{}</div></div></div>\n"
+        "<h3>Analysis of variance</h3><div class=\"scroll small\">{}</div>\n",
+        escape_html(part.response.name), escape_html(quantity),
+        unit.text.empty() ? "" : ", " + escape_html(unit.text), escape_html(fit_in_words(part)),
+        k++, coefficients_html(part, unit), anova_html(part.anova, unit));
     for (auto const& word : words)
       out += "<p class=\"quiet\">" + escape_html(word) + ".</p>\n";
     out += "</section>\n";
@@ -137,9 +184,8 @@ std::string trends_html(StudyPage const& page) {
     out += fmt::format(
         "<div class=\"charts\" id=\"trend-{}\"></div>\n<div class=\"scroll\">{}</div>\n", k++,
         table_html(header, rows));
-    for (auto const* words : {&part.trend.statements, &part.trend.left_out})
-      for (auto const& one : *words)
-        out += "<p class=\"quiet\">" + escape_html(one) + "</p>\n";
+    for (auto const& one : trend_words(page, part))
+      out += "<p class=\"quiet\">" + escape_html(one) + "</p>\n";
   }
   return out + "</section>\n";
 }

@@ -16,7 +16,7 @@ namespace coupling::study {
 namespace {
 
 Cell cell(double value, int digits = 5) {
-  return {std::isfinite(value) ? short_number(value, digits) : "-", true};
+  return {short_number(value, digits), true};
 }
 
 std::string paragraph(std::string const& text) {
@@ -32,6 +32,11 @@ std::string list_html(std::vector<std::string> const& items, std::string const& 
   return out + "</ul>\n";
 }
 
+/// `3e6` of `3e6 J/m^3`.
+std::string number_of(std::string const& quantity) {
+  return quantity.substr(0, quantity.find(' '));
+}
+
 std::size_t count_of(ResultsTable const& table, RunState state) {
   return static_cast<std::size_t>(std::ranges::count(table.rows, state, &ResultRow::state));
 }
@@ -44,6 +49,19 @@ Cell beside(double theirs, double ours, ShownUnit const& unit) {
   if (std::isfinite(ours) && theirs != 0.0)
     text += fmt::format(" ({:+.1f} %)", 100.0 * (ours - theirs) / std::abs(theirs));
   return {text, true};
+}
+
+/// A run's response and what was published beside it.
+void add_response(TableRow& line, ResultsTable const& table, ResultRow const& row,
+                  StudyResponse const& response, Published const& published) {
+  auto const unit = shown_unit(table, response);
+  std::vector<double> column;
+  for (auto const& one : table.rows)
+    column.push_back(unit.factor * one.value(response.quantity));
+  double const ours = row.value(response.quantity);
+  line.cells.push_back({fixed_number(unit.factor * ours, decimals_of(column)), true});
+  for (auto const& source : published.sources())
+    line.cells.push_back(beside(published.value(source, row.run.setup, response), ours, unit));
 }
 
 } // namespace
@@ -117,14 +135,9 @@ std::string design_html(StudyPage const& page) {
   for (auto const& row : page.table.rows) {
     TableRow line{{{row.run.id}}, row.is_done() ? "" : "fail"};
     for (std::size_t f = 0; f < study.factors.size(); ++f)
-      line.cells.push_back(cell(study.factors[f].number(row.run.natural[f])));
-    for (auto const& response : study.responses) {
-      auto const unit = shown_unit(page.table, response);
-      double const ours = row.value(response.quantity);
-      line.cells.push_back(cell(unit.factor * ours));
-      for (auto const& source : published.sources())
-        line.cells.push_back(beside(published.value(source, row.run.setup, response), ours, unit));
-    }
+      line.cells.push_back({number_of(study.factors[f].text(row.run.natural[f])), true});
+    for (auto const& response : study.responses)
+      add_response(line, page.table, row, response, published);
     rows.push_back(std::move(line));
   }
   std::string note;
@@ -148,10 +161,10 @@ std::string calibration_html(StudyPage const& page) {
   for (std::size_t f = 0; f < found.factors.size(); ++f) {
     auto const& one = found.factors[f];
     auto const text = [&](double value) {
-      return Cell{one.is_held ? "held" : page.table.study.factors[f].text(value), true};
+      return Cell{one.is_held ? "held" : short_text(page.table.study.factors[f], value), true};
     };
     factors.push_back({{{one.name},
-                        {page.table.study.factors[f].text(one.value), true},
+                        {short_text(page.table.study.factors[f], one.value), true},
                         text(one.lower),
                         text(one.upper),
                         text(one.region_lower),

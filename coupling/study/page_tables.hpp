@@ -8,6 +8,12 @@
 /// escaped here.
 namespace coupling::study {
 
+/// `25.095 kN`: a value of a response in the unit shown.
+std::string shown_text(StudyPage const& page, std::string const& response, double value);
+
+/// What the calibration says, a sentence each, in the units shown.
+std::vector<std::string> calibration_answers(StudyPage const& page);
+
 /// What was studied, and how many runs there are, in one paragraph.
 std::string lead_html(StudyPage const& page);
 /// How the runs stand, with class pass or fail; the failed ones with their reason.

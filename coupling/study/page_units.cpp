@@ -37,12 +37,42 @@ ShownUnit shown_unit(StudyFactor const& factor) {
 
 std::string short_number(double value, int digits) {
   if (!std::isfinite(value))
-    return "";
+    return "-";
   double const size = std::abs(value);
-  if (value != 0.0 && (size < 1e-3 || size >= 1e7))
-    return fmt::format("{:.{}g}", value, std::min(digits, 3));
+  if (value != 0.0 && (size < 1e-4 || size >= 1e7))
+    return fmt::format("{:.{}g}", value, std::min(digits, 4));
   int const whole = value == 0.0 ? 1 : static_cast<int>(std::floor(std::log10(size))) + 1;
-  return fmt::format("{:.{}f}", value, std::clamp(digits - whole, 0, 6));
+  auto text = fmt::format("{:.{}f}", value, std::max(digits - whole, 0));
+  if (text.find('.') != std::string::npos)
+    text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.'))
+    text.pop_back();
+  return text;
+}
+
+int decimals_of(std::span<double const> column, int digits) {
+  double largest = 0.0;
+  bool are_whole = true;
+  for (double const value : column) {
+    if (!std::isfinite(value))
+      continue;
+    largest = std::max(largest, std::abs(value));
+    are_whole = are_whole && value == std::round(value);
+  }
+  if (are_whole || largest == 0.0)
+    return 0;
+  return std::clamp(digits - 1 - static_cast<int>(std::floor(std::log10(largest))), 0, 9);
+}
+
+std::string fixed_number(double value, int decimals) {
+  return std::isfinite(value) ? fmt::format("{:.{}f}", value, decimals) : "-";
+}
+
+std::string short_text(StudyFactor const& factor, double natural) {
+  if (natural == 0.0 || !std::isfinite(natural))
+    return factor.text(natural);
+  double const unit = std::pow(10.0, 3 - std::floor(std::log10(std::abs(factor.number(natural)))));
+  return factor.text(std::round(factor.number(natural) * unit) / unit / factor.number(1.0));
 }
 
 std::string duration_text(double seconds) {

@@ -2,6 +2,7 @@
 
 #include "coupling/study/results_table.hpp"
 
+#include <span>
 #include <string>
 
 namespace coupling::study {
@@ -24,8 +25,19 @@ ShownUnit shown_unit(ResultsTable const& table, StudyResponse const& response);
 /// As the study's author writes the factor.
 ShownUnit shown_unit(StudyFactor const& factor);
 
-/// 5 digits, no exponent where one can read it without; "" for NaN.
+/// Up to so many significant digits without trailing zeros; an exponent only below 1e-4 and from
+/// 1e7 on; "-" for NaN.
 std::string short_number(double value, int digits = 5);
+
+/// Decimals with which the largest of a column's numbers has so many digits; none where all are
+/// whole numbers.
+int decimals_of(std::span<double const> column, int digits = 5);
+
+/// With so many decimals; "-" for NaN.
+std::string fixed_number(double value, int decimals);
+
+/// `1878 MPa`: a factor's value to four digits.
+std::string short_text(StudyFactor const& factor, double natural);
 
 /// `13.4 s`, `5.1 min`, `3.2 h`, `12.5 days`; "not known" for NaN.
 std::string duration_text(double seconds);

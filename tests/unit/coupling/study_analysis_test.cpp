@@ -93,6 +93,31 @@ TEST(StudyAnalysis, IsKeptBesideTheResults) {
             std::string::npos);
 }
 
+// With CED free, too, the region of E and CED stands in study.json, and ends at the bound of CED.
+TEST(StudyAnalysis, KeepsTheJointRegion) {
+  support::ScratchFolder const folder;
+  auto text = read_file(PRESSCHECK_SOURCE_DIR "/cases/seed-study/calibration-liggghts.prm");
+  for (auto at = text.find("../"); at != std::string::npos; at = text.find("../"))
+    text.replace(at, 3, PRESSCHECK_SOURCE_DIR "/cases/");
+  std::string const held = "  set Held = CED = 7e6 J/m^3\n";
+  text.erase(text.find(held), held.size());
+  support::put_bytes(folder / "study.prm", text);
+  auto const table = results(folder / "study.prm");
+  write_results(table, folder.path());
+  write_analysis(analyse(table), table.study, folder.path());
+  auto const json = nlohmann::json::parse(read_file(folder / "study.json"));
+  auto const& region = json.at("analysis").at("calibration").at("region").at(0);
+  EXPECT_EQ(region.at("factors"), (std::vector<std::string>{"E", "CED"}));
+  // chi^2 = 57.58 at the best point, and 5.99 more.
+  EXPECT_NEAR(region.at("chi_squared").get<double>(), 57.58 + 5.9915, 0.01);
+  ASSERT_EQ(region.at("lines").size(), 1u);
+  auto const& line = region.at("lines").at(0);
+  EXPECT_EQ(line.front().at(1), 7e6);
+  EXPECT_EQ(line.back().at(1), 7e6);
+  for (auto const& point : line)
+    EXPECT_NEAR(point.at(0).get<double>(), 2230e6, 15e6);
+}
+
 // Known before a run is made: three runs do not hold the six terms of two factors.
 TEST(StudyAnalysis, RefusesADesignThatDoesNotHoldItsModel) {
   support::ScratchFolder const folder;

@@ -1,10 +1,14 @@
 // What a run that has not been made would take, against the closed form of a line of logarithms.
-#include "coupling/study/cost_forecast.hpp"
+#include "coupling/record/atomic_file.hpp"
+#include "coupling/study/analysis.hpp"
 #include "tests/support/near.hpp"
 #include "tests/unit/coupling/study_folder.hpp"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 #include <cmath>
-#include <numeric>
+#include <optional>
 
 namespace coupling::study {
 namespace {
@@ -19,17 +23,20 @@ protected:
     auto const told = [](double value) { return value < 0.0 ? "" : std::to_string(value); };
     for (std::size_t k = 0; k < sizes.size(); ++k) {
       settings += fmt::format("s{},{} mm: 100 %\n", k, sizes[k]);
-      results += fmt::format("s{},{},{},{}\n", k, 10.0 + static_cast<double>(k % 2), told(seconds[k]),
-                             told(grains[k]));
+      results += fmt::format("s{},{},{},{}\n", k, 10.0 + static_cast<double>(k % 2),
+                             told(seconds[k]), told(grains[k]));
     }
     support::put_bytes(folder_ / "settings.csv", settings);
     support::put_bytes(folder_ / "results.csv", results);
-    return analyse_cost(results_as_data(
-        plan(design("set Results = results.csv\n") +
-             "set Model = linear\nsubsection Factor 1\nset Name = D\n"
-             "set Entries = Powder/Component 2/Size classes as {}: 100 %\nend\n" +
-             response() + "subsection Cost\n" + cost + "end\n")));
+    table_ =
+        results_as_data(plan(design("set Results = results.csv\n") +
+                             "set Model = linear\nsubsection Factor 1\nset Name = D\n"
+                             "set Entries = Powder/Component 2/Size classes as {}: 100 %\nend\n" +
+                             response() + "subsection Cost\n" + cost + "end\n"));
+    return analyse_cost(*table_);
   }
+
+  std::optional<ResultsTable> table_; ///< of the latest analysis
 };
 
 /// Straight line of ln y on ln x at a place: value and 95 % prediction interval, by sums.
@@ -57,16 +64,18 @@ struct ByHand {
   }
 };
 
-std::vector<double> const sizes{1.0, 0.8, 0.6, 0.5};            // [mm]
-std::vector<double> const seconds{10.0, 24.0, 61.0, 130.0};     // about D^-3.7
-std::vector<double> const grains{1000.0, 1900.0, 4500.0, 8100.0}; // about D^-3
-double const student_of_2 = 4.302652729911275;                  // 95 %, two degrees of freedom
+std::vector<double> const sizes_of_runs{1.0, 0.8, 0.6, 0.5};              // [mm]
+std::vector<double> const seconds_of_runs{10.0, 24.0, 61.0, 130.0};       // about D^-3.7
+std::vector<double> const grains_of_runs{1000.0, 1900.0, 4500.0, 8100.0}; // about D^-3
+double const student_of_2 = 4.302652729911275; // 95 %, two degrees of freedom
 
 TEST_F(StudyCost, IsForetoldWithItsIntervalAgainstASize) {
-  auto const cost = analysis(sizes, seconds, grains, "set Factor = D\nset Predict at = 0.3 mm\n");
+  auto const cost = analysis(sizes_of_runs, seconds_of_runs, grains_of_runs,
+                             "set Factor = D\nset Predict at = 0.3 mm\n");
   ASSERT_EQ(cost.forecasts.size(), 1u);
   auto const& found = cost.forecasts[0];
-  ByHand const time(sizes, seconds, 0.3, student_of_2), count(sizes, grains, 0.3, student_of_2);
+  ByHand const time(sizes_of_runs, seconds_of_runs, 0.3, student_of_2),
+      count(sizes_of_runs, grains_of_runs, 0.3, student_of_2);
   EXPECT_DOUBLE_EQ(found.at, 0.3e-3);
   EXPECT_TRUE(near::relative(found.seconds.value, time.value, 1e-9));
   EXPECT_TRUE(near::relative(found.seconds.run_lower, time.lower, 1e-9));
@@ -85,11 +94,11 @@ TEST_F(StudyCost, IsForetoldWithItsIntervalAgainstASize) {
 }
 
 TEST_F(StudyCost, IsForetoldAgainstTheNumberOfGrains) {
-  auto const cost =
-      analysis(sizes, seconds, grains, "set Factor = grains\nset Predict at = 2000, 2e4\n");
+  auto const cost = analysis(sizes_of_runs, seconds_of_runs, grains_of_runs,
+                             "set Factor = grains\nset Predict at = 2000, 2e4\n");
   ASSERT_EQ(cost.forecasts.size(), 2u);
   for (auto const& found : cost.forecasts) {
-    ByHand const time(grains, seconds, found.at, student_of_2);
+    ByHand const time(grains_of_runs, seconds_of_runs, found.at, student_of_2);
     EXPECT_TRUE(near::relative(found.seconds.value, time.value, 1e-9));
     EXPECT_TRUE(near::relative(found.seconds.run_upper, time.upper, 1e-9));
     EXPECT_EQ(found.bytes, 200e6 + 1000.0 * found.at);
@@ -113,6 +122,28 @@ TEST_F(StudyCost, SaysWhatTheRunsDoNotTell) {
   EXPECT_EQ(one.statements.back(),
             "Processor time is no power law of D yet: the runs that tell it have fewer than two "
             "different values of D.");
+}
+
+TEST_F(StudyCost, StandsInTheFolder) {
+  auto const cost = analysis(sizes_of_runs, seconds_of_runs, grains_of_runs,
+                             "set Factor = D\nset Predict at = 0.3 mm\n");
+  write_results(*table_, folder_.path());
+  write_analysis(analyse(*table_), table_->study, folder_.path());
+  auto const& found = cost.forecasts.at(0);
+  auto const text = read_file(folder_ / "analysis.txt");
+  auto const line = fmt::format(
+      "  a run at D = 0.3 mm would take {:.3g} s (95 %: {:.3g} to {:.3g} s) and at most "
+      "{:.3g} GB: {:.3g} grains",
+      found.seconds.value, found.seconds.run_lower, found.seconds.run_upper, 1e-9 * found.bytes,
+      found.grains.value);
+  EXPECT_NE(text.find(line), std::string::npos) << text << line;
+  EXPECT_NE(text.find("4 runs leave 2 degrees of freedom"), std::string::npos);
+  auto const json = nlohmann::json::parse(read_file(folder_ / "study.json"));
+  auto const& kept = json.at("analysis").at("cost");
+  EXPECT_EQ(kept.at("exponent"), cost.law->exponent);
+  EXPECT_EQ(kept.at("forecasts").at(0).at("cpu_seconds").at("high"), found.seconds.run_upper);
+  EXPECT_EQ(kept.at("forecasts").at(0).at("bytes"), found.bytes);
+  EXPECT_EQ(kept.at("statements").size(), 2u);
 }
 
 } // namespace
