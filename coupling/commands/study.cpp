@@ -5,6 +5,7 @@
 #include "coupling/study/analysis.hpp"
 #include "coupling/study/batch.hpp"
 #include "coupling/study/batch_rank.hpp"
+#include "coupling/study/published.hpp"
 #include "coupling/study/results_table.hpp"
 #include "coupling/study/slurm_export.hpp"
 #include "coupling/study/study_estimates.hpp"
@@ -206,6 +207,7 @@ int study(StudyOptions const& options) {
   BatchFolder const folder(folder_of(options));
   auto const plan = plan_study(read_study(options.file));
   validate_model(plan);
+  static_cast<void>(Published(plan)); // its tables are refused before anything is run
   if (plan.study.is_data())
     return read_instead(plan, options, folder);
   if (options.collects)

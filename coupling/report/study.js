@@ -173,7 +173,7 @@ function pictureOf(pixels, width, height) {
 function drawShapes() {
   const {runs, width, height, metres} = facts.shapes;
   byId('no-shapes').hidden = runs.length > 0;
-  const quality = facts.responses.find(r => r.name === 'SQC');
+  const quality = facts.responses.find(r => r.quantity === 'shape_quality');
   for (const run of runs) {
     const figure = element('figure', {}, null, byId('shapes'));
     const value = quality && [...quality.runs, ...quality.validation].find(r => r.run === run.run);

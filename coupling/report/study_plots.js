@@ -7,7 +7,7 @@ function logTicks(low, high) {
   for (let power = Math.floor(Math.log10(low)); power <= Math.log10(high); ++power)
     for (const digit of digits) {
       const value = digit * 10 ** power;
-      if (value >= low * 0.9999 && value <= high * 1.0001) list.push({value, text: String(+value.toPrecision(2))});
+      if (value >= low * 0.9999 && value <= high * 1.0001) list.push({value, text: value >= 1e4 ? value.toExponential().replace('+', '') : String(+value.toPrecision(2))});
     }
   return list;
 }

@@ -41,7 +41,7 @@ class SurfacePlot {
     this.plot = figure.querySelector('.plot');
     this.plot.classList.add('square');
     const note = element('div', {class: 'surface-note'});
-    note.textContent = 'Dots: runs' + (spec.response.target !== null ? '; red: the target' : '') +
+    note.textContent = 'Dots: means of the runs' + (spec.note ? ' over the other factors' : '') + (spec.response.target !== null ? '; red: the target' : '') +
         (spec.calibration ? '; black: calibrated, 95 % intervals and region' : '');
     figure.insertBefore(note, this.plot);
     this.width = 560;
@@ -128,20 +128,21 @@ class SurfacePlot {
 
   drawAxes(svg, first, second) {
     const {left, right, top, bottom} = this.frame;
-    for (const t of ticks(first.low, first.high, 6)) {
-      element('line', {x1: this.px(t.value), x2: this.px(t.value), y1: bottom, y2: bottom + 4, stroke: '#9aa4b0'}, null, svg);
-      element('text', {x: this.px(t.value), y: bottom + 17, 'text-anchor': 'middle'}, t.text, svg);
+    const across = powerOf(first), up = powerOf(second);
+    for (const t of ticks(first.low / across, first.high / across, 6)) {
+      const x = this.px(t.value * across);
+      element('line', {x1: x, x2: x, y1: bottom, y2: bottom + 4, stroke: '#9aa4b0'}, null, svg);
+      element('text', {x, y: bottom + 17, 'text-anchor': 'middle'}, t.text, svg);
     }
-    const exponents = powerOf(second);
-    for (const t of ticks(second.low / exponents, second.high / exponents, 6)) {
-      const y = this.py(t.value * exponents);
+    for (const t of ticks(second.low / up, second.high / up, 6)) {
+      const y = this.py(t.value * up);
       element('line', {x1: left - 4, x2: left, y1: y, y2: y, stroke: '#9aa4b0'}, null, svg);
       element('text', {x: left - 7, y: y + 4, 'text-anchor': 'end'}, t.text, svg);
     }
     element('rect', {x: left, y: top, width: right - left, height: bottom - top, fill: 'none', stroke: '#9aa4b0'}, null, svg);
-    element('text', {x: (left + right) / 2, y: bottom + 36, 'text-anchor': 'middle', class: 'axis-name'}, factorName(first), svg);
+    element('text', {x: (left + right) / 2, y: bottom + 36, 'text-anchor': 'middle', class: 'axis-name'}, factorName(first, across), svg);
     element('text', {transform: `translate(14 ${(top + bottom) / 2}) rotate(-90)`, 'text-anchor': 'middle', class: 'axis-name'},
-            factorName(second, exponents), svg);
+            factorName(second, up), svg);
   }
 
   /** The mean of the runs at each point of the two factors. */
@@ -209,7 +210,8 @@ function factorName(factor, power = 1) {
   const unit = [power === 1 ? '' : `10${superscript(Math.round(Math.log10(power)))}`, factor.unit].filter(Boolean).join(' ');
   return factor.name + (unit ? ` [${unit}]` : '');
 }
-const shortValue = v => String(+v.toPrecision(4)).replace(/^-/, '\u2212');
+const shortValue = v => (Math.abs(v) >= 1e5 ? String(+(v / 10 ** Math.floor(Math.log10(Math.abs(v)))).toPrecision(4)) +
+    `e${Math.floor(Math.log10(Math.abs(v)))}` : String(+v.toPrecision(4))).replace(/^-/, '\u2212');
 
 function drawRegion(svg, region, px, py) {
   for (const line of region.lines)

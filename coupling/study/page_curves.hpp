@@ -11,11 +11,11 @@ namespace coupling::study {
 /// "upper_punch_force", "compact_height", "mean_overlap", "punch_gap"}]}, thinned to about `most`
 /// rows a run; the peak, the smallest gap and the ends of the stages are kept. Runs without a
 /// curves.csv are left out.
-std::string curves_json(ResultsTable const& table, std::size_t most = 240);
+std::string curves_json(ResultsTable const& table, std::size_t most);
 
 /// Final shapes of the finished runs for figure 5, as JSON text: {"width", "height", "metres": the
 /// frame's width, "runs": [{"run", "pixels": base64}]}, grain_picture.hpp, all in one frame. Runs
 /// without a run.h5 are left out.
-std::string shapes_json(ResultsTable const& table, int width = 120);
+std::string shapes_json(ResultsTable const& table, int width);
 
 } // namespace coupling::study

@@ -197,14 +197,15 @@ std::string cost_html(StudyPage const& page) {
   auto const& plan = page.table.study.cost;
   std::vector<TableRow> rows;
   for (CostForecast const& one : cost.forecasts)
-    rows.push_back({{{fmt::format("{} = {}", cost.factor, plan.text(one.at, page.table.study))},
-                     {duration_text(one.seconds.value), true},
-                     {duration_text(one.seconds.run_lower), true},
-                     {duration_text(one.seconds.run_upper), true},
-                     number(one.grains.value, 3),
-                     number(1e-9 * one.bytes, 3),
-                     number(1e-9 * one.bytes_upper, 3)},
-                    ""});
+    rows.push_back(
+        {{{fmt::format("{} = {}", cost.factor, plan.text(one.at, page.table.study))},
+          {duration_text(one.seconds.value), true},
+          {duration_text(one.seconds.run_lower), true},
+          {duration_text(one.seconds.run_upper), true},
+          {std::isfinite(one.grains.value) ? fmt::format("{:.3g}", one.grains.value) : "-", true},
+          number(1e-9 * one.bytes, 3),
+          number(1e-9 * one.bytes_upper, 3)},
+         ""});
   std::vector<std::string> const header{
       "A run at",           "Processor time",          "95 % from", "to", "Grains",
       "Memory [GB], up to", "at the grains' upper end"};

@@ -78,8 +78,8 @@ std::string short_text(StudyFactor const& factor, double natural) {
 std::string duration_text(double seconds) {
   if (!std::isfinite(seconds))
     return "not known";
-  static constexpr std::array<std::pair<double, std::string_view>, 3> units{
-      {{86400.0, "days"}, {3600.0, "h"}, {60.0, "min"}}};
+  static constexpr std::array<std::pair<double, std::string_view>, 4> units{
+      {{365.25 * 86400.0, "years"}, {86400.0, "days"}, {3600.0, "h"}, {60.0, "min"}}};
   for (auto const& [length, name] : units)
     if (seconds >= 2.0 * length)
       return fmt::format("{:.3g} {}", seconds / length, name);

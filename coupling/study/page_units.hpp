@@ -39,7 +39,7 @@ std::string fixed_number(double value, int decimals);
 /// `1878 MPa`: a factor's value to four digits.
 std::string short_text(StudyFactor const& factor, double natural);
 
-/// `13.4 s`, `5.1 min`, `3.2 h`, `12.5 days`; "not known" for NaN.
+/// `13.4 s`, `5.1 min`, `3.2 h`, `12.5 days`, `3.8 years`; "not known" for NaN.
 std::string duration_text(double seconds);
 
 } // namespace coupling::study

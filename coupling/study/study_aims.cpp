@@ -170,6 +170,8 @@ void read_cost(StudyText const& text, StudyFile& study) {
                                   quote(part)));
     cost.predict_at.push_back(value);
   }
+  if (cost.predict_at.empty() && cost.factor == study.extrapolation.factor)
+    cost.predict_at = {study.extrapolation.value};
 }
 
 void read_references(StudyText const& text, StudyFile& study) {

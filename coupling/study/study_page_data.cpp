@@ -110,6 +110,7 @@ Json response_json(StudyPage const& page, ResponseAnalysis const& part) {
   auto const unit = shown_unit(page.table, part.response);
   ResponseSurface const& surface = part.surface;
   Json json{{"name", part.response.name},
+            {"quantity", part.response.quantity},
             {"unit", unit.text},
             {"target", optional_number(part.response.target, unit.factor)},
             {"sd", optional_number(part.response.uncertainty, unit.factor)},
@@ -250,8 +251,11 @@ std::string study_page_json(StudyPage const& page) {
     if (page.analysis->cost && !page.analysis->cost->sizes.empty())
       json["cost"] = cost_json(page);
   }
-  json["curves"] = Json::parse(curves_json(page.table));
-  json["shapes"] = Json::parse(shapes_json(page.table));
+  // Less of each run where they are many: the page shall open.
+  std::size_t const n_runs = std::max<std::size_t>(1, page.table.rows.size());
+  json["curves"] =
+      Json::parse(curves_json(page.table, std::clamp<std::size_t>(24000 / n_runs, 60, 240)));
+  json["shapes"] = Json::parse(shapes_json(page.table, n_runs > 100 ? 60 : 120));
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 

@@ -102,7 +102,8 @@ std::vector<Entry> part_entries() {
       words("Cost/Factor", "",
             "Factor that the cost is a power of, or the word grains: their number."),
       words("Cost/Predict at", "",
-            "Its values, with commas, at which a run's time and memory are foretold."),
+            "Its values, with commas, at which a run's time and memory are foretold; empty: "
+            "Extrapolation/Value where the factor is the same."),
       words("Reference/Tables", "", "Tables of published values, with commas."),
       words("Reference/Rows", "",
             "setup = row, with commas: set-ups that the tables call otherwise."),

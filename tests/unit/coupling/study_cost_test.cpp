@@ -107,6 +107,15 @@ TEST_F(StudyCost, IsForetoldAgainstTheNumberOfGrains) {
   EXPECT_FALSE(cost.grains.has_value());
 }
 
+// Without a size of its own, the cost is foretold where the responses are carried to.
+TEST_F(StudyCost, IsForetoldWhereTheTrendGoes) {
+  auto const cost = analysis(sizes_of_runs, seconds_of_runs, grains_of_runs,
+                             "set Factor = D\nend\nsubsection Extrapolation\nset Factor = D\n"
+                             "set Value = 0.4 mm\n");
+  ASSERT_EQ(cost.forecasts.size(), 1u);
+  EXPECT_EQ(cost.forecasts[0].at, 0.4e-3);
+}
+
 TEST_F(StudyCost, SaysWhatTheRunsDoNotTell) {
   auto const two = analysis({1.0, 0.8, 0.6}, {10.0, 24.0, -1.0}, {-1.0, -1.0, -1.0},
                             "set Factor = D\nset Predict at = 0.9 mm\n");

@@ -60,6 +60,7 @@ TEST(StudyPageUnits, ShowWhatPeopleSay) {
   EXPECT_EQ(duration_text(13.41), "13.4 s");
   EXPECT_EQ(duration_text(1.5e6), "17.4 days"); // 1.5e6 / 86400
   EXPECT_EQ(duration_text(7200.0), "2 h");
+  EXPECT_EQ(duration_text(1.2e8), "3.8 years"); // 1.2e8 / 31557600
 }
 
 TEST_F(StudyPageFile, SaysTheAnswersOfTheSeedsCalibration) {
@@ -212,7 +213,7 @@ TEST_F(StudyPageFile, ThinsTheCurvesAndKeepsThePeak) {
   ASSERT_EQ(json.at("stages").size(), 2u);
   EXPECT_EQ(json.at("stages").at(0).at("name"), "loading");
   EXPECT_NEAR(json.at("stages").at(0).at("to").get<double>(), 0.06, 1e-4);
-  EXPECT_TRUE(Json::parse(shapes_json(studied.table)).at("runs").empty());
+  EXPECT_TRUE(Json::parse(shapes_json(studied.table, 120)).at("runs").empty());
 }
 
 TEST(GrainPicture, IsADiscThatTheNearerGrainCovers) {
