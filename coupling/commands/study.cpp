@@ -39,6 +39,7 @@ std::filesystem::path folder_of(StudyOptions const& options) {
 /// The runs that were asked for by name; all without a name.
 std::vector<std::size_t> chosen(std::vector<StudyRun> const& runs, StudyOptions const& options) {
   std::vector<std::string> names;
+  names.reserve(runs.size());
   for (auto const& run : runs)
     names.push_back(run.id);
   std::vector<std::size_t> found;
@@ -57,6 +58,7 @@ std::vector<std::size_t> chosen(std::vector<StudyRun> const& runs, StudyOptions 
 template <class T>
 std::vector<T> part_of(std::vector<T> const& all, std::vector<std::size_t> const& indices) {
   std::vector<T> part;
+  part.reserve(indices.size());
   for (auto const k : indices)
     part.push_back(all[k]);
   return part;

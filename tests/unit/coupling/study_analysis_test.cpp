@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace coupling::study {
 namespace {
@@ -91,6 +92,28 @@ TEST(StudyAnalysis, IsKeptBesideTheResults) {
   EXPECT_EQ(kept.at("calibration").at("contradicts"), true);
   EXPECT_NE(read_file(folder / "analysis.txt").find("F alone is met at E = 2230.85 MPa"),
             std::string::npos);
+}
+
+// Share, index and coarse sizes are those of the plan; a force is no porosity.
+TEST(StudyAnalysis, MakesThePackingFormOfThePlan) {
+  std::vector<double> const sizes{0.2e-3, 0.3e-3}, porosities{0.3, 0.35};
+  ExtrapolationPlan wanted{
+      .factor = "D", .value = 1e-4, .responses = {}, .forms = {"linear", "packing_model"}};
+  wanted.packing = {.fine_share = 0.3, .compaction_index = 4.1, .coarse = {}};
+  std::vector<std::string> left_out;
+  Eigen::VectorXd const free{{0.7, std::log(2e-3)}}, one = free.head(1);
+  auto forms = trend_forms(wanted, sizes, porosities, left_out);
+  ASSERT_EQ(forms.size(), 2u);
+  EXPECT_EQ(forms[1].value(free, 1e-4), packing_form(0.3, 4.1, 0.3e-3).value(free, 1e-4));
+  EXPECT_EQ(forms[1].low[1], std::log(0.3e-3)); // the coarse size is no finer than the fines
+  wanted.packing.coarse = {{1e-3, 0.4}, {2e-3, 0.6}};
+  forms = trend_forms(wanted, sizes, porosities, left_out);
+  EXPECT_EQ(forms[1].value(one, 1e-4),
+            packing_form({{1e-3, 0.4, 0.5}, {2e-3, 0.6, 0.5}}, 0.3, 4.1).value(one, 1e-4));
+  EXPECT_TRUE(left_out.empty());
+  EXPECT_EQ(trend_forms(wanted, sizes, {1500.0, 1600.0}, left_out).size(), 1u);
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0], "packing model: a response is no porosity (between 0 and 1)");
 }
 
 // With CED free, too, the region of E and CED stands in study.json, and ends at the bound of CED.
