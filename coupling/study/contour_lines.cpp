@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace coupling::study {
@@ -16,7 +17,11 @@ namespace {
 struct Edge {
   int i, j;
   bool is_upward;
-  auto operator<=>(Edge const&) const = default;
+
+  bool operator==(Edge const&) const = default;
+  bool operator<(Edge const& other) const {
+    return std::tie(i, j, is_upward) < std::tie(other.i, other.j, other.is_upward);
+  }
 };
 
 class Contour {
@@ -42,7 +47,10 @@ public:
   }
 
 private:
-  double at(int i, int j) const { return above_[static_cast<std::size_t>(j * x_.n + i)]; }
+  double at(int i, int j) const {
+    return above_[static_cast<std::size_t>(j) * static_cast<std::size_t>(x_.n) +
+                  static_cast<std::size_t>(i)];
+  }
   bool is_in(int i, int j) const { return at(i, j) <= 0.0; }
 
   void join(Edge const& a, Edge const& b) {

@@ -54,7 +54,8 @@ GrainPicture draw_grains(dem::Spheres const& grains, PictureFrame const& frame, 
         if (rest < 0.0)
           continue;
         double const depth = centre.y() - std::sqrt(rest);
-        auto const k = static_cast<std::size_t>(row * width + column);
+        auto const k = static_cast<std::size_t>(row) * static_cast<std::size_t>(width) +
+                       static_cast<std::size_t>(column);
         if (depth >= nearest[k])
           continue;
         nearest[k] = depth;

@@ -15,10 +15,6 @@
 namespace coupling::study {
 namespace {
 
-Cell cell(double value, int digits = 5) {
-  return {short_number(value, digits), true};
-}
-
 std::string paragraph(std::string const& text) {
   return "<p class=\"quiet\">" + escape_html(text) + "</p>\n";
 }
@@ -151,81 +147,6 @@ std::string design_html(StudyPage const& page) {
          "tall\">" +
          table_html(header, rows) + "</div>\n" + (note.empty() ? "" : paragraph(note)) +
          "</section>\n";
-}
-
-std::string calibration_html(StudyPage const& page) {
-  if (!page.analysis || !page.analysis->calibration)
-    return "";
-  Calibration const& found = *page.analysis->calibration;
-  std::vector<TableRow> factors, targets;
-  for (std::size_t f = 0; f < found.factors.size(); ++f) {
-    auto const& one = found.factors[f];
-    auto const text = [&](double value) {
-      return Cell{one.is_held ? "held" : short_text(page.table.study.factors[f], value), true};
-    };
-    factors.push_back({{{one.name},
-                        {short_text(page.table.study.factors[f], one.value), true},
-                        text(one.lower),
-                        text(one.upper),
-                        text(one.region_lower),
-                        text(one.region_upper)},
-                       ""});
-  }
-  for (auto const& one : found.targets) {
-    auto const& response =
-        *std::ranges::find(page.table.study.responses, one.response, &StudyResponse::name);
-    auto const unit = shown_unit(page.table, response);
-    auto const shown = [&](double value) { return cell(unit.factor * value); };
-    targets.push_back({{{unit.head(one.response)},
-                        shown(one.target),
-                        shown(one.target_sd),
-                        shown(one.value),
-                        shown(one.combined_sd),
-                        {fmt::format("{:+.2f}", one.residual), true},
-                        shown(one.lowest),
-                        shown(one.highest),
-                        {one.is_reachable ? "within reach" : "OUT OF REACH"}},
-                       one.is_reachable ? "pass" : "fail"});
-  }
-  std::vector<std::string> const of_factors{"Factor", "Calibrated",        "95 % from",
-                                            "to",     "Joint region from", "to"};
-  std::vector<std::string> const of_targets{"Target",  "Value",   "Its sd",
-                                            "Surface", "Both sd", "Off by [sd]",
-                                            "Least",   "Largest", "Within the bounds"};
-  auto const quality =
-      found.df > 0 ? fmt::format("\u03c7\u00b2 = {:.4g} with {} degree{} of freedom, p = {:.2g}.",
-                                 found.chi_squared, found.df, found.df == 1 ? "" : "s", found.p)
-                   : std::string("As many free factors as targets: nothing is left to "
-                                 "judge the agreement by.");
-  return "<section class=\"card\" id=\"calibration\"><h2>Calibration</h2>\n<div class=\"scroll\">" +
-         table_html(of_factors, factors) + "</div>\n<div class=\"scroll\">" +
-         table_html(of_targets, targets) + "</div>\n" + paragraph(quality) +
-         "<div class=\"charts\" id=\"calibration-plots\"></div></section>\n";
-}
-
-std::string validation_html(StudyPage const& page) {
-  if (!page.analysis || page.analysis->validation.empty())
-    return "";
-  std::vector<TableRow> rows;
-  for (auto const& check : page.analysis->validation) {
-    auto const& response =
-        *std::ranges::find(page.table.study.responses, check.response, &StudyResponse::name);
-    auto const unit = shown_unit(page.table, response);
-    auto const shown = [&](double value) { return cell(unit.factor * value); };
-    rows.push_back({{{check.run},
-                     {unit.head(check.response)},
-                     shown(check.value),
-                     shown(check.foretold.value),
-                     shown(check.foretold.run_lower),
-                     shown(check.foretold.run_upper),
-                     {check.is_inside ? "inside" : "OUTSIDE"}},
-                    check.is_inside ? "pass" : "fail"});
-  }
-  std::vector<std::string> const header{"Run",       "Response", "Value",   "Foretold",
-                                        "95 % from", "to",       "Interval"};
-  return "<section class=\"card\" id=\"validation\"><h2>Validation runs against their prediction "
-         "intervals</h2>\n<div class=\"scroll\">" +
-         table_html(header, rows) + "</div></section>\n";
 }
 
 std::string study_provenance_html(StudyPage const& page) {

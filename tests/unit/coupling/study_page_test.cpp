@@ -231,7 +231,9 @@ TEST(GrainPicture, IsADiscThatTheNearerGrainCovers) {
   auto const at = [](GrainPicture const& picture, double x, double z) {
     auto const row = static_cast<int>((9.0 - z) * 10.0),
                column = static_cast<int>((x + 4.0) * 10.0);
-    return int{picture.pixels[static_cast<std::size_t>(row * picture.width + column)]};
+    return int{
+        picture.pixels[static_cast<std::size_t>(row) * static_cast<std::size_t>(picture.width) +
+                       static_cast<std::size_t>(column)]};
   };
   EXPECT_EQ(at(alone, 0.01, 5.01), 63);              // faces the viewer
   EXPECT_NEAR(at(alone, 2.4, 5.0), 1 + 62 * 0.8, 1); // cos a = sqrt(1 - 0.6^2)
