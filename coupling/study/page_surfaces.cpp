@@ -22,6 +22,7 @@ Cell probability(double p) {
 /// As many decimals as the standard errors have meaning.
 int decimals_of_errors(std::vector<Coefficient> const& coefficients, double unit) {
   std::vector<double> errors;
+  errors.reserve(coefficients.size());
   for (Coefficient const& c : coefficients)
     errors.push_back(unit * c.standard_error);
   double const least = std::ranges::min(errors);
@@ -39,6 +40,7 @@ std::string coefficients_html(ResponseAnalysis const& part, ShownUnit const& uni
     return Cell{fixed_number(unit.factor * value, decimals), true};
   };
   std::vector<TableRow> rows;
+  rows.reserve(coefficients.size());
   for (Coefficient const& c : coefficients)
     rows.push_back({{{c.name},
                      shown(c.value),
@@ -108,6 +110,7 @@ std::string surfaces_html(StudyPage const& page) {
     auto quantity = part.response.quantity;
     std::ranges::replace(quantity, '_', ' ');
     std::vector<std::string> words;
+    words.reserve(part.influences.size());
     for (FactorInfluence const& influence : part.influences)
       words.push_back(influence.statement);
     out += fmt::format(

@@ -21,6 +21,7 @@ double factor_value(StudyText const& text, StudyFile const& study, std::string c
                     std::string const& name, std::string const& value) {
   auto const* const factor = study.factor(name);
   std::vector<std::string> names;
+  names.reserve(study.factors.size());
   for (auto const& known : study.factors)
     names.push_back(known.name);
   if (factor == nullptr)
@@ -59,6 +60,7 @@ void read_calibration(StudyText const& text, StudyFile& study) {
 
 std::vector<std::string> names_of(std::vector<StudyResponse> const& responses) {
   std::vector<std::string> names;
+  names.reserve(responses.size());
   for (auto const& response : responses)
     names.push_back(response.name);
   return names;

@@ -160,6 +160,7 @@ std::vector<double> sizes_between(ResponseTrend const& part) {
   auto const [least, most] = std::ranges::minmax(part.sizes);
   double const low = std::min(least, part.trend.size), high = std::max(most, part.trend.size);
   std::vector<double> sizes;
+  sizes.reserve(nodes_of_line);
   for (int k = 0; k < nodes_of_line; ++k)
     sizes.push_back(low * std::pow(high / low, static_cast<double>(k) / (nodes_of_line - 1)));
   sizes.back() = high; // to the bit, so that nothing is carried beyond it
