@@ -247,7 +247,7 @@ void StudyText::refuse(std::string const& path, std::string_view problem) const 
 }
 
 std::string StudyText::needed(std::string const& path, std::string_view why) const {
-  auto const written = text(path);
+  auto written = text(path);
   VALIDATE(!written.empty(), fmt::format("{}: {} is not set ({}). Add 'set {} = ...'?", where(path),
                                          path, why, name_of(path)));
   return written;
