@@ -3,6 +3,7 @@
 #include "coupling/case_schema.hpp"
 #include "coupling/press_programme.hpp"
 #include "coupling/quantity.hpp"
+#include "dem/contact/cohesion/linear_area.hpp"
 #include "dem/expect.hpp"
 #include "dem/spheres.hpp"
 
@@ -59,6 +60,7 @@ public:
   void frame() const;
   void tool_speed() const;
   void cohesion() const;
+  void yielding() const;
 
 private:
   double smallest_radius() const;
@@ -244,6 +246,26 @@ void CaseCheck::cohesion() const {
   }
 }
 
+/// Beyond yield a contact resists with pi p_y R* per length of overlap, and cohesion draws with
+/// C R* k: a contact that draws harder than it resists closes without end.
+void CaseCheck::yielding() const {
+  dem::ContactChoice const& law = case_.contacts.law;
+  if (law.normal != "thornton_ning")
+    return;
+  double slope = 0.0; // C
+  for (auto const& area : dem::LinearArea::conventions)
+    if (area.name == law.cohesion)
+      slope = area.at_grain;
+  double const least = slope / dem::pi * case_.contacts.grain_grain.cohesion_energy_density; // [Pa]
+  if (law.yield_pressure <= least)
+    read_.refuse("Contact/Yield pressure",
+                 fmt::format("does not hold the cohesion of {} ({} J/m^3), which needs more than "
+                             "{} MPa. A stronger grain, or less cohesion?",
+                             law.cohesion,
+                             brief(case_.contacts.grain_grain.cohesion_energy_density),
+                             brief(least * 1e-6)));
+}
+
 } // namespace
 
 double rayleigh_time(dem::Material const& material, double radius) {
@@ -263,6 +285,7 @@ void check_case(Case const& checked, CaseReader const& read) {
   check.frame();
   check.tool_speed();
   check.cohesion();
+  check.yielding();
 }
 
 } // namespace coupling

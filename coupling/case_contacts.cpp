@@ -54,9 +54,23 @@ dem::Interaction read_interaction(CaseReader& read, std::string const& at,
                                       law.rolling != "none", "Contact/Rolling law = none"),
           .cohesion_energy_density = read_if(read, at + "Cohesion energy density",
                                              law.cohesion != "none", "Contact/Cohesion law = none"),
-          .surface_energy =
-              read_if(read, at + "Surface energy", law.normal == "jkr",
-                      fmt::format("Contact/Normal law = {}; jkr uses it", law.normal))};
+          .surface_energy = read_if(
+              read, at + "Surface energy", law.normal == "jkr" || law.normal == "edinburgh",
+              fmt::format("Contact/Normal law = {}; jkr and edinburgh use it", law.normal))};
+}
+
+/// What the elasto-plastic laws need; nothing of another law.
+void read_plasticity(CaseReader& read, dem::ContactChoice& law) {
+  std::string const at = "Contact/";
+  std::string const unused = fmt::format("Contact/Normal law = {}; ", law.normal);
+  law.yield_pressure = read_if(read, at + "Yield pressure", law.normal == "thornton_ning",
+                               unused + "thornton_ning uses it");
+  if (law.normal == "thornton_ning" && law.yield_pressure == 0.0)
+    read.refuse(at + "Yield pressure",
+                "leaves Contact/Normal law = thornton_ning without strength. About 2.8 times the "
+                "yield stress?");
+  law.plasticity_ratio = read_if(read, at + "Plasticity ratio", law.normal == "edinburgh",
+                                 unused + "edinburgh uses it");
 }
 
 } // namespace
@@ -74,11 +88,17 @@ Contacts read_contacts(CaseReader& read) {
                   .tangential_damping = read.truth(at + "Tangential damping"),
                   .clip_attractive_damping = read.truth(at + "Limit force"),
                   .characteristic_velocity = read.number(at + "Characteristic velocity"),
+                  .adhesion_exponent = read.number(at + "Adhesion exponent"),
+                  .viscous_time = read.number(at + "Viscous time"),
                   .precision = read.choice(at + "Precision") == "double" ? dem::Precision::full
                                                                          : dem::Precision::mixed};
-  if (contacts.law.normal == "jkr" && contacts.law.cohesion != "none")
+  read_plasticity(read, contacts.law);
+  bool const is_adhesive = contacts.law.normal == "jkr" || contacts.law.normal == "edinburgh";
+  if (is_adhesive && contacts.law.cohesion != "none")
     read.refuse(at + "Cohesion law",
-                "doubles the adhesion of Contact/Normal law = jkr. Set Cohesion law = none?");
+                fmt::format("doubles the adhesion of Contact/Normal law = {}. Set Cohesion law = "
+                            "none?",
+                            contacts.law.normal));
   contacts.grain_grain = read_interaction(read, at + "Particle-particle/", contacts.law);
   contacts.grain_wall = read_interaction(read, at + "Particle-wall/", contacts.law);
   return contacts;

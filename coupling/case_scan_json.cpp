@@ -1,6 +1,7 @@
 #include "coupling/case_schema.hpp"
 #include "coupling/case_text.hpp"
 #include "coupling/quote.hpp"
+#include "coupling/watched_byte.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -8,40 +9,11 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 #include <map>
 
 namespace coupling {
 
 namespace {
-
-/// Walks over a text and tells how far the parser has read, so that events can be given a line.
-class WatchedByte {
-public:
-  using iterator_category = std::forward_iterator_tag;
-  using value_type = char;
-  using difference_type = std::ptrdiff_t;
-  using pointer = char const*;
-  using reference = char const&;
-
-  WatchedByte() = default;
-  WatchedByte(char const* at, char const** furthest) : at_(at), furthest_(furthest) {}
-  reference operator*() const { return *at_; }
-  WatchedByte& operator++() {
-    *furthest_ = ++at_;
-    return *this;
-  }
-  WatchedByte operator++(int) {
-    WatchedByte const before = *this;
-    ++*this;
-    return before;
-  }
-  bool operator==(WatchedByte const& other) const { return at_ == other.at_; }
-
-private:
-  char const* at_ = nullptr;
-  char const** furthest_ = nullptr;
-};
 
 /// Words that `presscheck defaults --format json` puts beside a value; they say nothing that is
 /// read.

@@ -93,8 +93,9 @@ std::vector<Entry> contact_entries() {
       {at + "Preset", choice, ratio, "liggghts", any, "liggghts | edem | custom",
        "Laws that go together. liggghts: hertz, sjkr2, mindlin. edem: hertz, linear_reduced, "
        "mindlin."},
-      {at + "Normal law", choice, ratio, "preset", any, "preset | hertz | hooke | jkr",
-       "Elastic normal force."},
+      {at + "Normal law", choice, ratio, "preset", any,
+       "preset | hertz | hooke | jkr | thornton_ning | edinburgh",
+       "Normal force; thornton_ning and edinburgh are elasto-plastic."},
       {at + "Cohesion law", choice, ratio, "preset", any,
        "preset | none | sjkr | sjkr2 | linear_reduced | linear_hertz_circle",
        "Cohesive force k A: the name says which area A."},
@@ -111,6 +112,15 @@ std::vector<Entry> contact_entries() {
        "Clip the attraction of the normal dashpot at the end of a rebound."},
       {at + "Characteristic velocity", quantity, speed, "0.2 m/s", positive, "",
        "Impact speed at which hooke matches hertz; used by hooke only."},
+      {at + "Yield pressure", quantity, modulus, "0 Pa", within(0.0, 1e13), "",
+       "Pressure at which a contact yields, about 2.8 times the yield stress; used by Normal law = "
+       "thornton_ning."},
+      {at + "Plasticity ratio", quantity, ratio, "0", within(0.0, 0.999), "",
+       "1 - k1/k2 of loading and unloading; used by Normal law = edinburgh."},
+      {at + "Adhesion exponent", quantity, ratio, "1.5", within(1.0, 10.0), "",
+       "Exponent chi of the adhesive branch; used by Normal law = edinburgh."},
+      {at + "Viscous time", quantity, time, "0 s", within(0.0, 1e3), "",
+       "A of a dashpot A dF/dd at every contact: the powder's own rate dependence."},
       {at + "Precision", choice, ratio, "mixed", any, "mixed | double",
        "mixed: overlaps in double, forces in single precision."},
   };
@@ -127,7 +137,7 @@ std::vector<Entry> interaction_entries(std::string const& at, std::string const&
       {at + "Cohesion energy density", quantity, energy_density, cohesion, within(0.0, 1e12), "",
        "k of the cohesive force k A."},
       {at + "Surface energy", quantity, surface_energy, "0 J/m^2", within(0.0, 1e4), "",
-       "Work of adhesion of the pair; used by Normal law = jkr."},
+       "Work of adhesion of the pair; used by Normal law = jkr and edinburgh."},
   };
 }
 
@@ -224,6 +234,9 @@ std::vector<Entry> tool_shape_entries() {
       {at + "Largest gap", quantity, length, "0.05 mm", above_up_to(0.0, 1e-2), "",
        "Largest distance between Tooling's STL of a tool, which grains touch, and the mesh "
        "behind."},
+      {at + "Stress interval", quantity, time, "0 s", within(0.0, 1e6), "",
+       "Between files of the tools' stress (TOOL_stress.pvd), at the ends of windows; shorter than "
+       "a window: each of them; 0: at the largest force only."},
   };
 }
 

@@ -107,6 +107,7 @@ void read_tool_shapes(CaseReader& read, ElasticTools& tools, Tooling const& tool
   read_ring(read, tools, !tooling.die_file.empty());
   read_punch_face(read, tools.shapes);
   tools.shapes.largest_gap = read.number(at + "Largest gap");
+  tools.stress_interval = read.number(at + "Stress interval");
 }
 
 void check_tool_shapes(Case const& setup, CaseReader const& read) {

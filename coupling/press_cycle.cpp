@@ -156,6 +156,7 @@ void PressCycle::save_if_due() {
     dem::complete_step(press_.world);
     folder_.write_snapshot(press_);
   }
+  write_stress_if_due();
   auto const seconds = std::chrono::duration<double>(Clock::now() - last_restart_).count();
   if (seconds < press_.setup.output.restart_interval)
     return;
@@ -164,6 +165,18 @@ void PressCycle::save_if_due() {
   folder_.write_restart(press_);
   folder_.write_curves(press_);
   last_restart_ = Clock::now();
+}
+
+void PressCycle::write_stress_if_due() {
+  double const interval = press_.setup.elastic.stress_interval;
+  double const time = press_.world.time;
+  double& last = press_.tally.last_stress;
+  if (interval <= 0.0 || !press_.coupling.is_between_windows() || time == last ||
+      std::floor(time / interval * (1.0 + rounding)) ==
+          std::floor(last / interval * (1.0 + rounding)))
+    return;
+  last = time;
+  folder_.write_tool_stresses(press_);
 }
 
 void PressCycle::finish_stage() {

@@ -32,6 +32,7 @@ private:
   void step();
   void record_if_due();
   void save_if_due();
+  void write_stress_if_due();
   void finish_stage();
   void conclude();
 

@@ -69,6 +69,7 @@ void read_energies(Press const& press, Reading& r) {
     r.tool_work += tool.work + tool.yield_work;
   r.gravity_work = world.energy.gravity_work;
   r.normal_damping_loss = world.energy.normal_damping;
+  r.plastic_loss = world.energy.plastic_work;
   r.tangential_work = world.energy.tangential_work;
   r.rolling_loss = world.energy.rolling_work;
   r.released_energy = press.tally.released_energy;
@@ -76,8 +77,8 @@ void read_energies(Press const& press, Reading& r) {
   double const found =
       r.kinetic_energy + r.elastic_energy + r.cohesive_energy - press.tally.start_energy;
   double const put_in = r.tool_work + r.gravity_work;
-  double const gone =
-      r.normal_damping_loss + r.tangential_work + r.rolling_loss + r.released_energy;
+  double const gone = r.normal_damping_loss + r.plastic_loss + r.tangential_work + r.rolling_loss +
+                      r.released_energy;
   r.energy_error = found - (put_in - gone);
 }
 
@@ -124,6 +125,7 @@ std::vector<PressRecord::Column> curve_columns() {
           {"tool_work", "J"},
           {"gravity_work", "J"},
           {"normal_damping_loss", "J"},
+          {"plastic_loss", "J"},
           {"tangential_work", "J"},
           {"rolling_loss", "J"},
           {"released_energy", "J"},
@@ -155,6 +157,7 @@ std::vector<double> row_of(Reading const& r) {
           r.tool_work,
           r.gravity_work,
           r.normal_damping_loss,
+          r.plastic_loss,
           r.tangential_work,
           r.rolling_loss,
           r.released_energy,

@@ -31,6 +31,7 @@ struct Reading {
   double tool_work = 0.0;            ///< [J], done by the tools on the grains
   double gravity_work = 0.0;         ///< [J]
   double normal_damping_loss = 0.0;  ///< [J]
+  double plastic_loss = 0.0;         ///< [J]
   double tangential_work = 0.0;      ///< [J], into springs, dashpots and sliding
   double rolling_loss = 0.0;         ///< [J]
   double released_energy = 0.0;      ///< [J], that went with removed tools

@@ -16,6 +16,7 @@
 #include <omp.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace coupling {
 namespace {
@@ -85,6 +86,20 @@ void RunFolder::write_snapshot(Press& press) {
                     stage.empty() ? "" : stage.back(), press.world.grains);
   grains_.add(press.world.time, grains);
   tools_.add(press.world.time, tools);
+}
+
+void RunFolder::write_tool_stresses(Press const& press) const {
+  fs::create_directories(folder_ / "snapshots");
+  for (std::size_t t = 0; t < press.coupling.n_tools(); ++t) {
+    if (!press.world.tools[t].present)
+      continue;
+    YieldingTool const& tool = press.coupling.tool(t);
+    // The time is before this frame's, so that a repeated window replaces what it wrote before.
+    PvdSeries frames(folder_ / (tool.name + "_stress.pvd"), std::nextafter(press.world.time, -1.0));
+    auto const name = snapshot_name((tool.name + "_stress").c_str(), frames.size(), "vtu");
+    write_tool_stress(folder_ / name, tool, press.coupling.last_load(t));
+    frames.add(press.world.time, name);
+  }
 }
 
 fs::path RunFolder::write_restart(Press& press) {

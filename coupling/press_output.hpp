@@ -33,6 +33,10 @@ public:
   /// Grains and tools for ParaView, and a frame of run.h5; once for each time.
   void write_snapshot(Press& press);
 
+  /// Displacement and stress of every elastic tool that is there, under the mean loads of the last
+  /// window; a frame of TOOL_stress.pvd.
+  void write_tool_stresses(Press const& press) const;
+
   /// A rolling restart; the two newest are kept.
   std::filesystem::path write_restart(Press& press);
 

@@ -48,6 +48,7 @@ struct PressTally {
   std::uint64_t n_snapshots = 0; ///< made at the snapshot interval
   double last_record = -1.0;     ///< [s], time of the newest record
   double last_snapshot = -1.0;   ///< [s], time of the newest snapshot
+  double last_stress = 0.0;      ///< [s], time of the newest files of the tools' stress
   double wall_seconds = 0.0;     ///< [s], of clock; the only field that differs between equal runs
 
   template <class Field> void visit_state(Field&& field);
@@ -84,6 +85,7 @@ template <class Field> void PressTally::visit_state(Field&& field) {
   field("tally/n_snapshots", n_snapshots);
   field("tally/last_record", last_record);
   field("tally/last_snapshot", last_snapshot);
+  field("tally/last_stress", last_stress);
   field("tally/wall_seconds", wall_seconds);
 }
 

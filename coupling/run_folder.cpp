@@ -31,7 +31,7 @@ bool is_result(fs::path const& file) {
   for (auto const* known : names)
     if (name == known)
       return true;
-  return name.starts_with("restart_") && name.ends_with(".h5");
+  return (name.starts_with("restart_") && name.ends_with(".h5")) || name.ends_with("_stress.pvd");
 }
 
 } // namespace

@@ -42,6 +42,7 @@ struct ElasticTools {
   ElasticToolShapes shapes = {};
   double cell_size = 3.5e-3; ///< [m], of the meshes where grains press
   ToolSupport die_support = ToolSupport::clamped, punch_support = ToolSupport::clamped;
+  double stress_interval = 0.0; ///< [s], between files of the tools' stress; 0: at the peak only
   CouplingChoice coupling;
 };
 

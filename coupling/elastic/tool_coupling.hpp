@@ -83,6 +83,10 @@ public:
   /// k_b C of the punches [1], with the bed's stiffness as the last windows showed it.
   double coupling_number() const;
 
+  /// Whether a window has ended and no step of the next one is done.
+  bool is_between_windows() const { return steps_ == 0 && checks_.windows > 0; }
+  /// Nodal loads of a tool [N], mean of the last window.
+  Eigen::Matrix3Xd const& last_load(std::size_t t) const { return courses_[t].last_load; }
   /// Nodal loads of a tool [N] in the window whose punch force was largest.
   Eigen::Matrix3Xd const& peak_load(std::size_t t) const { return courses_[t].peak_load; }
 

@@ -46,7 +46,27 @@ struct HertzImpact {
     double const beta = std::tgamma(0.4) * std::tgamma(0.5) / std::tgamma(0.9);
     return 0.8 * beta * max_overlap() / speed;
   }
+  /// Yield pressure [Pa] whose first yield is at the impact speed V_y:
+  ///   m* V_y^2 / 2 = 2/5 K d_y^(5/2),  d_y = (pi p_y / 2 E*)^2 R*
+  double yield_pressure_of(double yield_speed) const {
+    double const overlap =
+        std::pow(5.0 * effective_mass * yield_speed * yield_speed / (4.0 * stiffness()), 0.4);
+    return 2.0 * effective_modulus / pi * std::sqrt(overlap / effective_radius);
+  }
 };
+
+/// e = (6 sqrt(3)/5)^(1/2) (1 - s^2/6)^(1/2) (s / (s + 2 sqrt(6/5 - s^2/5)))^(1/4), s = V_y/V.
+/// Thornton and Ning, Powder Technol. 99 (1998) 154.
+inline double thornton_ning_restitution(double s) {
+  return std::sqrt(1.2 * std::sqrt(3.0) * (1.0 - s * s / 6.0)) *
+         std::pow(s / (s + 2.0 * std::sqrt(1.2 - 0.2 * s * s)), 0.25);
+}
+
+/// Without adhesion:  e^2 = (2/5 (1 - l^(5/3)) - l (1 - l^(2/3))) / (2/5 (1 - l)), l = 1 - k1/k2.
+inline double edinburgh_restitution(double l) {
+  double const given = 0.4 * (1.0 - std::pow(l, 5.0 / 3.0)) - l * (1.0 - std::pow(l, 2.0 / 3.0));
+  return std::sqrt(given / (0.4 * (1.0 - l)));
+}
 
 /// Force K d^(3/2) - c d: Hertz with a cohesion proportional to the overlap.
 struct LinearCohesion {

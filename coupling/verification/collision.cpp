@@ -117,6 +117,34 @@ std::vector<Benchmark> hooke() {
   return rows;
 }
 
+/// Restitution of plastic contacts without a dashpot, from what loading takes and unloading gives.
+std::vector<Benchmark> plastic() {
+  std::vector<Benchmark> rows;
+  ImpactSetup setup{.recipe = smooth(1.0),
+                    .radius = 0.5e-3,
+                    .other_radius = 1.5e-3,
+                    .velocity = dem::Vec3(0, 0, -0.2)};
+  HertzImpact const impact = setup.expected();
+  setup.recipe.law.normal = "thornton_ning";
+  for (double const ratio : {2.0, 20.0}) { // V / V_y
+    double const strength =
+        impact.yield_pressure_of(impact.speed / ratio); // yields at this part of the speed
+    setup.recipe.law.yield_pressure = strength;
+    std::string const name = ratio == 2.0 ? "twice" : "20_times";
+    ImpactResult const found = collide(setup);
+    rows.push_back(compare("thornton_ning/restitution_at_" + name + "_yield",
+                           thornton_ning_restitution(1.0 / ratio),
+                           found.separation_speed / impact.speed, 2e-5,
+                           "Thornton and Ning (1998), the closed form there"));
+  }
+  setup.recipe.law.normal = "edinburgh";
+  setup.recipe.law.plasticity_ratio = 0.6;
+  rows.push_back(compare("edinburgh/restitution", edinburgh_restitution(0.6),
+                         collide(setup).separation_speed / impact.speed, 2e-5,
+                         "integral of the branches of Thakur et al. (2014)"));
+  return rows;
+}
+
 } // namespace
 
 std::vector<Experiment> collision_experiments() {
@@ -126,7 +154,8 @@ std::vector<Experiment> collision_experiments() {
           {"half_space", ball_on_half_space},
           {"indentation", indentation},
           {"hertz_damping", restitution_at_step},
-          {"hooke", hooke}};
+          {"hooke", hooke},
+          {"plastic", plastic}};
 }
 
 } // namespace coupling::verification

@@ -53,9 +53,10 @@ struct WallYield {
   Vec3 impulse = Vec3::Zero(); ///< [N s], on the tool
 };
 
-/// Power and losses of one sweep over one block [W].
+/// Power and losses of one sweep over one block.
 struct BlockPower {
-  double normal_loss = 0.0, tangential = 0.0, rolling = 0.0;
+  double normal_loss = 0.0, tangential = 0.0, rolling = 0.0; ///< [W]
+  double plastic_work = 0.0;                                 ///< [J], of the step
 };
 
 /// What one contact remembers: spring x y z [m], and the memory of the normal law if it has one.

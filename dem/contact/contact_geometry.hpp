@@ -27,6 +27,13 @@ template <class N> struct NormalForce {
   N elastic;      ///< [N], without the dashpot
   N damping;      ///< [N], of the dashpot; elastic + damping pushes i along +normal
   N contact_root; ///< what a tangential law scales with: sqrt(d) for Hertz and Mindlin [m^(1/2)]
+  N grip{0};      ///< [N], friction's limit is counted from minus this; plastic laws only
+};
+
+/// A normal law whose memory is the largest overlap d_m [m], and which loses energy as it grows.
+template <class Law>
+concept PlasticLaw = requires {
+  requires Law::is_plastic;
 };
 
 } // namespace dem

@@ -26,7 +26,9 @@ template <class T> ContactKernel<T> make_kernel(ContactChoice const& choice) {
                " are unknown together (known: hertz with none, sjkr, sjkr2, linear_reduced or "
                "linear_hertz_circle and frictionless or mindlin; hooke with the same cohesion and "
                "frictionless "
-               "or hooke_spring; jkr with none and frictionless or mindlin; rolling none or "
+               "or hooke_spring; thornton_ning with none, sjkr2, linear_reduced or "
+               "linear_hertz_circle, and "
+               "edinburgh or jkr with none, and frictionless or mindlin; rolling none or "
                "constant_torque). "
                "Is a name misspelt?");
   VALIDATE(choice.friction_limit == "net" || choice.friction_limit == "elastic",

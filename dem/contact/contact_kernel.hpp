@@ -41,13 +41,14 @@ template <class T> struct ContactKernel {
   struct Energy {
     double elastic, cohesive;
   };
-  Energy (*energy)(double const* constants, double overlap, double radius_i, double radius_j);
+  Energy (*energy)(double const* constants, double overlap, double memory, double radius_i,
+                   double radius_j);
   /// Tangent stiffness [N/m] and dashpot [kg/s] along the normal and in the tangent plane, for the
   /// stable step.
   struct Stiffness {
     double normal, tangential, normal_dashpot, tangential_dashpot;
   };
-  Stiffness (*stiffness)(double const* constants, double overlap);
+  Stiffness (*stiffness)(double const* constants, double overlap, double memory);
 };
 
 /// The kernel of the named laws. @throws InvalidInput for an unknown name or laws that do not go

@@ -128,7 +128,8 @@ void TypedStore<T>::visit(World const& world, ContactStream::Visit const& look) 
   constexpr std::size_t at_once = 4;
   ModelSwitches<double> const switches{.cohesion_in_limit =
                                            choice_.friction_limit == "net" ? 1.0 : 0.0,
-                                       .clip = choice_.clip_attractive_damping ? 1.0 : 0.0};
+                                       .clip = choice_.clip_attractive_damping ? 1.0 : 0.0,
+                                       .viscous_time = choice_.viscous_time};
   auto const complete = [&](std::vector<Contact>& part, Contact c, ContactInput<double> const& in,
                             double const* constants, ContactMemory<double> const& memory) {
     ContactOutput<double> const out = kernel_.evaluate(in, constants, switches, memory);
@@ -163,7 +164,7 @@ template <class T> StoredEnergy TypedStore<T>::energy(World const& world) const 
         if (!touches(in, memory))
           return;
         double const overlap = overlap_of(in);
-        auto const e = kernel_.energy(constants, overlap, in.radius_i, in.radius_j);
+        auto const e = kernel_.energy(constants, overlap, memory.normal, in.radius_i, in.radius_j);
         part.elastic += e.elastic;
         part.cohesive += e.cohesive;
       });
@@ -177,12 +178,12 @@ template <class T> double TypedStore<T>::stable_step(World const& world) const {
   auto const parts = per_block<std::vector<LinearContact>>(
       world, 0, lists_.blocks.size(),
       [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
-          double const* constants, ContactMemory<double> const&) {
+          double const* constants, ContactMemory<double> const& memory) {
         Vec3 const separation = vec3(in.separation);
         double const overlap = overlap_of(in);
         if (overlap <= 0.0)
           return;
-        auto const s = kernel_.stiffness(constants, overlap);
+        auto const s = kernel_.stiffness(constants, overlap, memory.normal);
         part.push_back({.i = c.i,
                         .j = c.j,
                         .normal = separation.normalized(),
@@ -190,7 +191,7 @@ template <class T> double TypedStore<T>::stable_step(World const& world) const {
                         .lever_j = in.radius_j - 0.5 * overlap,
                         .normal_stiffness = s.normal,
                         .tangential_stiffness = s.tangential,
-                        .normal_dashpot = s.normal_dashpot,
+                        .normal_dashpot = s.normal_dashpot + choice_.viscous_time * s.normal,
                         .tangential_dashpot = s.tangential_dashpot});
       });
   std::vector<LinearContact> contacts;

@@ -30,6 +30,7 @@ template <class N> struct ContactOutput {
   N normal_loss;      ///< power lost in the normal dashpot [W]
   N tangential_power; ///< power put into spring, dashpot and slider [W]
   N rolling_loss;     ///< [W]
+  N plastic_work;     ///< lost to plastic deformation in this step [J]
 };
 
 /// What a contact remembers from step to step.
@@ -42,6 +43,7 @@ template <class N> struct ContactMemory {
 template <class N> struct ModelSwitches {
   N cohesion_in_limit; ///< 1: friction limit from elastic + dashpot + cohesion; 0: without cohesion
   N clip;              ///< 1: elastic + dashpot never attracts
+  N viscous_time;      ///< A [s]: a dashpot A dF/dd beside the law's own
 };
 
 template <class Normal, class Cohesion, class Tangential, class Rolling> struct ContactModel {
@@ -85,13 +87,21 @@ template <class Normal, class Cohesion, class Tangential, class Rolling> struct 
                                       .radius_j = in.radius_j,
                                       .separation_velocity = separation_velocity};
 
+    N const before = memory.normal;
     NormalForce<N> const normal = Normal::force(constants.normal, geometry, memory.normal);
+    N const viscous =
+        switches.viscous_time * Normal::tangent_at(constants.normal, normal.contact_root);
     auto acts = overlap > N(0);
     if constexpr (has_memory)
       acts = acts || memory.normal > N(0.5f);
-    N repulsion = normal.elastic + normal.damping;
+    N repulsion = normal.elastic + normal.damping - viscous * separation_velocity;
     repulsion = select(switches.clip > N(0.5f), larger(repulsion, N(0)), repulsion);
-    N const cohesion = select(overlap > N(0), Cohesion::force(constants.cohesion, geometry), N(0));
+    ContactGeometry<N> of_area = geometry;
+    if constexpr (PlasticLaw<Normal>) {
+      of_area.root_overlap = normal.contact_root;
+      of_area.overlap = normal.contact_root * normal.contact_root;
+    }
+    N const cohesion = select(overlap > N(0), Cohesion::force(constants.cohesion, of_area), N(0));
     N const normal_force = select(acts, repulsion + cohesion, N(0));
 
     ContactOutput<N> out{};
@@ -100,12 +110,23 @@ template <class Normal, class Cohesion, class Tangential, class Rolling> struct 
     out.cohesive_force = select(acts, cohesion, N(0));
     out.force = normal_force * n;
     out.normal_loss = select(acts, (normal.elastic - repulsion) * separation_velocity, N(0));
+    if constexpr (PlasticLaw<Normal>) {
+      auto const cohesion_at = [&](N const& d) {
+        of_area.overlap = d;
+        return Cohesion::force(constants.cohesion, of_area);
+      };
+      out.plastic_work =
+          select(memory.normal > before,
+                 Normal::dissipated(constants.normal, before, memory.normal, cohesion_at), N(0));
+    }
 
     if constexpr (has_spring) {
       Triple<N> const surface_spin = lever_i * in.spin_i + lever_j * in.spin_j;
       Triple<N> const slip = in.velocity - separation_velocity * n - cross(surface_spin, n);
-      N const limit = constants.tangential.friction *
-                      magnitude(repulsion + switches.cohesion_in_limit * cohesion);
+      N held = repulsion + switches.cohesion_in_limit * cohesion;
+      if constexpr (PlasticLaw<Normal>)
+        held = held + normal.grip;
+      N const limit = constants.tangential.friction * magnitude(held);
       Triple<N> spring = memory.spring;
       TangentialForce<N> tangential =
           spring_slider(Tangential::stiffness(constants.tangential, normal.contact_root),

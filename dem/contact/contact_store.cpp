@@ -315,7 +315,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
       .halo_loads = lists_.halo_loads.data(),
       .tools = world.tools,
       .switches = {.cohesion_in_limit = choice_.friction_limit == "net" ? T(1) : T(0),
-                   .clip = choice_.clip_attractive_damping ? T(1) : T(0)},
+                   .clip = choice_.clip_attractive_damping ? T(1) : T(0),
+                   .viscous_time = static_cast<T>(choice_.viscous_time)},
       .dt = dt,
       .window_time = world.window_time};
 // Static: a block stays with its thread, and its contacts in that core's cache.
@@ -329,6 +330,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
     world.energy.normal_damping += dt * block.power.normal_loss;
     world.energy.tangential_work += dt * block.power.tangential;
     world.energy.rolling_work += dt * block.power.rolling;
+    if (dt > 0.0)
+      world.energy.plastic_work += block.power.plastic_work;
   }
 }
 

@@ -62,6 +62,8 @@ std::optional<ContactKernel<T>> kernel_with(ContactChoice const& choice) {
 PRESSCHECK_DECLARE_KERNEL(Hertz)
 PRESSCHECK_DECLARE_KERNEL(Hooke)
 PRESSCHECK_DECLARE_KERNEL(Jkr)
+PRESSCHECK_DECLARE_KERNEL(ThorntonNing)
+PRESSCHECK_DECLARE_KERNEL(Edinburgh)
 #undef PRESSCHECK_DECLARE_KERNEL
 
 } // namespace dem::sweep_detail

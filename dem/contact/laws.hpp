@@ -3,9 +3,11 @@
 #include "dem/contact/cohesion/linear_area.hpp"
 #include "dem/contact/cohesion/no_cohesion.hpp"
 #include "dem/contact/cohesion/sjkr.hpp"
+#include "dem/contact/normal/edinburgh.hpp"
 #include "dem/contact/normal/hertz.hpp"
 #include "dem/contact/normal/hooke.hpp"
 #include "dem/contact/normal/jkr.hpp"
+#include "dem/contact/normal/thornton_ning.hpp"
 #include "dem/contact/rolling/constant_torque.hpp"
 #include "dem/contact/rolling/no_rolling.hpp"
 #include "dem/contact/tangential/frictionless.hpp"
@@ -35,8 +37,18 @@ template <> struct Partners<Jkr> {
   using Cohesion = LawList<NoCohesion>;
   using Tangential = LawList<Frictionless, Mindlin>;
 };
+/// The energy that a plastic contact takes from cohesion is known where the area is linear.
+template <> struct Partners<ThorntonNing> {
+  using Cohesion = LawList<NoCohesion, LinearArea>;
+  using Tangential = LawList<Frictionless, Mindlin>;
+};
+/// Edinburgh's law carries its own adhesion.
+template <> struct Partners<Edinburgh> {
+  using Cohesion = LawList<NoCohesion>;
+  using Tangential = LawList<Frictionless, Mindlin>;
+};
 
-using NormalLaws = LawList<Hertz, Hooke, Jkr>;
+using NormalLaws = LawList<Hertz, Hooke, Jkr, ThorntonNing, Edinburgh>;
 using RollingLaws = LawList<NoRolling, ConstantTorque>;
 
 } // namespace dem

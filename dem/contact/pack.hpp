@@ -42,6 +42,16 @@ std::experimental::simd<T, Abi> square_root(std::experimental::simd<T, Abi> cons
 }
 
 template <class T>
+requires std::is_floating_point_v<T> T power(T x, T exponent) {
+  return std::pow(x, exponent);
+}
+template <class T, class Abi>
+std::experimental::simd<T, Abi> power(std::experimental::simd<T, Abi> const& x,
+                                      std::experimental::simd<T, Abi> const& exponent) {
+  return std::experimental::pow(x, exponent);
+}
+
+template <class T>
 requires std::is_floating_point_v<T> T magnitude(T x) {
   return std::abs(x);
 }

@@ -17,13 +17,14 @@ namespace dem::sweep_detail {
 template <class Model, class T>
 [[gnu::flatten]] void evaluate_batch(Batch<T>& b, std::size_t n, ContactBlock<T>& block,
                                      std::size_t at, SweepInput<T> const& in,
-                                     std::array<Pack<T>, 3>& power) {
+                                     std::array<Pack<T>, 4>& power) {
   using N = Pack<T>;
   constexpr std::size_t lanes = pack_size<T>;
   constexpr std::size_t n_memory = Model::has_memory ? 4 : 3;
   constexpr auto aligned = std::experimental::element_aligned;
   N const dt(static_cast<T>(in.dt));
-  ModelSwitches<N> const switches{N(in.switches.cohesion_in_limit), N(in.switches.clip)};
+  ModelSwitches<N> const switches{N(in.switches.cohesion_in_limit), N(in.switches.clip),
+                                  N(in.switches.viscous_time)};
   for (std::size_t k = 0; k < n; k += pack_size<T>) {
     N const square_gap(b.square_gap + k, aligned);
     T* const m = block.memory.data() + (at + k) * n_memory;
@@ -66,12 +67,14 @@ template <class Model, class T>
     power[0] += out.normal_loss;
     power[1] += out.tangential_power;
     power[2] += out.rolling_loss;
+    if constexpr (PlasticLaw<typename Model::NormalLaw>)
+      power[3] += out.plastic_work;
   }
 }
 
 template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T> const& in) {
   Batch<T> b;
-  std::array<Pack<T>, 3> power{Pack<T>(0), Pack<T>(0), Pack<T>(0)};
+  std::array<Pack<T>, 4> power{Pack<T>(0), Pack<T>(0), Pack<T>(0), Pack<T>(0)};
   // Of each slot; it stays in the cache from block to block.
   thread_local LineVector<LoadRecord<T>> loads;
   loads.assign(block.rows.size(), LoadRecord<T>{});
@@ -102,8 +105,10 @@ template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T>
       total += static_cast<double>(p[l]);
     return total;
   };
-  block.power = {
-      .normal_loss = sum(power[0]), .tangential = sum(power[1]), .rolling = sum(power[2])};
+  block.power = {.normal_loss = sum(power[0]),
+                 .tangential = sum(power[1]),
+                 .rolling = sum(power[2]),
+                 .plastic_work = sum(power[3])};
 }
 
 } // namespace dem::sweep_detail

@@ -121,6 +121,7 @@ template <class State, class Field> void visit_state(State& state, Field&& field
   field("tools/yield_work", state.tool_yield_work);
   field("tools/present", state.tool_present);
   field("energy/normal_damping", state.energy.normal_damping);
+  field("energy/plastic_work", state.energy.plastic_work);
   field("energy/tangential_work", state.energy.tangential_work);
   field("energy/rolling_work", state.energy.rolling_work);
   field("energy/gravity_work", state.energy.gravity_work);

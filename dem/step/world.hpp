@@ -17,6 +17,7 @@ struct EnergyTally {
   double normal_damping = 0.0;  ///< lost in normal dashpots
   double tangential_work = 0.0; ///< put into tangential springs, dashpots and sliding
   double rolling_work = 0.0;    ///< lost in rolling resistance
+  double plastic_work = 0.0;    ///< lost to plastic deformation of contacts
   double gravity_work = 0.0;    ///< done by gravity on the grains
 };
 

@@ -29,6 +29,15 @@ void use_jkr(R r) {
   r.law.normal = "jkr";
   r.law.cohesion = "none";
 }
+void use_thornton_ning(R r) {
+  r.law.normal = "thornton_ning";
+  r.law.yield_pressure = 3e6;
+}
+void use_edinburgh(R r) {
+  r.law.normal = "edinburgh";
+  r.law.cohesion = "none";
+  r.law.plasticity_ratio = 0.5;
+}
 void use_rolling(R r) {
   r.law.rolling = "constant_torque";
 }
@@ -54,6 +63,13 @@ std::vector<Knob> knobs() {
       {"grain_wall_surface_energy", [](R r) { r.grain_wall.surface_energy *= 1.1; }, use_jkr},
       {"normal_hooke", use_hooke},
       {"normal_jkr", use_jkr, [](R r) { r.law.cohesion = "none"; }},
+      {"normal_thornton_ning", use_thornton_ning},
+      {"normal_edinburgh", use_edinburgh, [](R r) { r.law.cohesion = "none"; }},
+      {"yield_pressure", [](R r) { r.law.yield_pressure *= 1.1; }, use_thornton_ning},
+      {"plasticity_ratio", [](R r) { r.law.plasticity_ratio = 0.6; }, use_edinburgh},
+      {"adhesion_exponent", [](R r) { r.law.adhesion_exponent = 5.0; }, use_edinburgh},
+      {"edinburgh_surface_energy", [](R r) { r.grain_grain.surface_energy *= 1.1; }, use_edinburgh},
+      {"viscous_time", [](R r) { r.law.viscous_time = 1e-6; }},
       {"cohesion_none", [](R r) { r.law.cohesion = "none"; }},
       {"cohesion_sjkr", [](R r) { r.law.cohesion = "sjkr"; }},
       {"cohesion_linear_reduced", [](R r) { r.law.cohesion = "linear_reduced"; }},

@@ -3,6 +3,8 @@
 #include "tests/regression/program.hpp"
 #include "tests/support/scratch_folder.hpp"
 
+#include <fmt/format.h>
+
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -24,6 +26,17 @@ std::string departures_from_contract(fs::path const& folder) {
   return status == 0 ? "" : support::bytes_of(verdict);
 }
 
+/// Frames of a tool's series of stresses that are listed and there.
+std::size_t frames_of(fs::path const& folder, std::string const& tool) {
+  std::string const listed = support::bytes_of(folder / (tool + "_stress.pvd"));
+  std::size_t k = 0;
+  for (std::string name;; ++k) {
+    name = fmt::format("snapshots/{}_stress_{:04d}.vtu", tool, k);
+    if (listed.find('"' + name + '"') == std::string::npos || !fs::exists(folder / name))
+      return k;
+  }
+}
+
 } // namespace
 
 /// cases/quick from the command line, as a new user runs it. Over the packing seeds 1 to 4 it gave,
@@ -32,8 +45,9 @@ std::string departures_from_contract(fs::path const& folder) {
 TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   support::ScratchFolder scratch;
   auto const folder = scratch / "quick";
-  auto const outcome = program::run(
-      {"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(), "--quiet"});
+  auto const outcome =
+      program::run({"run", PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", "-o", folder.string(),
+                    "--quiet", "--set", "Deformable tools/Stress interval=10 ms"});
   ASSERT_EQ(outcome.status, 0) << outcome.error;
   EXPECT_EQ(departures_from_contract(folder), "");
   auto const summary = coupling::read_summary(folder / "summary.json");
@@ -50,4 +64,7 @@ TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   for (auto const* file : {"tools.pvd", "grains.pvd", "report.html", "run.h5", "geometry/die.stl",
                            "restart_stage_release.h5", "snapshots/die_peak.vtu"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
+  // A frame of stress per 10 ms while a tool is there: the die is released after 100 of 150 ms.
+  EXPECT_EQ(frames_of(folder, "die"), 9u);
+  EXPECT_EQ(frames_of(folder, "lower_punch"), 14u);
 }

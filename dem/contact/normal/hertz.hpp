@@ -52,6 +52,10 @@ struct Hertz {
   static double tangent(Constants<double> const& c, double overlap) {
     return 1.5 * c.stiffness * std::sqrt(overlap);
   }
+  /// The same from the contact root, for packs.
+  template <class N> static N tangent_at(Constants<N> const& c, N const& contact_root) {
+    return N(1.5f) * c.stiffness * contact_root;
+  }
   /// Dashpot coefficient [kg/s]
   static double dashpot(Constants<double> const& c, double overlap) {
     return c.damping * std::sqrt(std::sqrt(overlap));

@@ -54,6 +54,7 @@ struct Hooke {
     return 0.5 * c.stiffness * overlap * overlap;
   }
   static double tangent(Constants<double> const& c, double) { return c.stiffness; }
+  template <class N> static N tangent_at(Constants<N> const& c, N const&) { return c.stiffness; }
   static double dashpot(Constants<double> const& c, double) { return c.damping; }
 };
 

@@ -84,6 +84,10 @@ struct Jkr {
     return 2.0 * c.modulus * x * x * std::abs(1.0 - 0.75 * ratio) /
            std::max(1.0 - 0.25 * ratio, 1e-3);
   }
+  /// 2 E* a [N/m], without adhesion's share: what the viscous part of the bodies follows.
+  template <class N> static N tangent_at(Constants<N> const& c, N const& contact_root) {
+    return N(2) * c.modulus * square_root(c.radius) * contact_root;
+  }
   static double dashpot(Constants<double> const& c, double overlap) {
     return c.damping * std::sqrt(std::sqrt(std::max(overlap, 0.0)));
   }

@@ -64,6 +64,8 @@ Overrides const laws_and_stages = {
     "Contact/Tangential damping=off",
     "Contact/Limit force=on",
     "Contact/Characteristic velocity=1 m/s",
+    "Contact/Adhesion exponent=5",
+    "Contact/Viscous time=2 us",
     "Contact/Precision=double",
     "Contact/Particle-particle/Coefficient of restitution=0.4",
     "Contact/Particle-particle/Coefficient of static friction=0.3",
@@ -121,10 +123,26 @@ TEST(EveryEntry, OfPowderAndToolsReachesTheCase) {
   EXPECT_EQ(it.gravity, dem::Vec3(1.0, 2.0, -3.0));
 }
 
+TEST(EveryEntry, OfPlasticContactsReachesTheCase) {
+  Case const yields = seed({"Contact/Preset=custom", "Contact/Normal law=thornton_ning",
+                            "Contact/Cohesion law=sjkr2", "Contact/Tangential law=mindlin",
+                            "Contact/Yield pressure=150 MPa"});
+  EXPECT_EQ(yields.contacts.law.normal, "thornton_ning");
+  EXPECT_EQ(yields.contacts.law.yield_pressure, 150e6);
+  Case const adheres =
+      seed({"Contact/Preset=custom", "Contact/Normal law=edinburgh", "Contact/Cohesion law=none",
+            "Contact/Tangential law=mindlin", "Contact/Plasticity ratio=0.6",
+            "Contact/Particle-particle/Cohesion energy density=0",
+            "Contact/Particle-wall/Cohesion energy density=0",
+            "Contact/Particle-particle/Surface energy=2 J/m^2"});
+  EXPECT_EQ(adheres.contacts.law.plasticity_ratio, 0.6);
+  EXPECT_EQ(adheres.contacts.grain_grain.surface_energy, 2.0);
+}
+
 TEST(EveryEntry, OfLawsAndStagesReachesTheCase) {
   Case const it = seed(laws_and_stages);
   expect_equal(it.contacts.law, {"hooke", "sjkr", "hooke_spring", "constant_torque", "elastic",
-                                 false, true, 1.0, dem::Precision::full});
+                                 false, true, 1.0, 0.0, 0.0, 5.0, 2e-6, dem::Precision::full});
   expect_equal(it.contacts.grain_grain, {0.4, 0.3, 0.01, 2e5, 0.0});
   expect_equal(it.contacts.grain_wall, {0.6, 0.1, 0.02, 1e5, 0.0});
   EXPECT_EQ(it.tooling.walls, WallKind::analytic);

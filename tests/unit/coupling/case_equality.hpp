@@ -43,6 +43,10 @@ inline void expect_equal(dem::ContactChoice const& a, dem::ContactChoice const& 
   EXPECT_EQ(a.tangential_damping, b.tangential_damping);
   EXPECT_EQ(a.clip_attractive_damping, b.clip_attractive_damping);
   EXPECT_EQ(a.characteristic_velocity, b.characteristic_velocity);
+  EXPECT_EQ(a.yield_pressure, b.yield_pressure);
+  EXPECT_EQ(a.plasticity_ratio, b.plasticity_ratio);
+  EXPECT_EQ(a.adhesion_exponent, b.adhesion_exponent);
+  EXPECT_EQ(a.viscous_time, b.viscous_time);
   EXPECT_EQ(a.precision, b.precision);
 }
 

@@ -184,6 +184,30 @@ TEST(Preset, AndALawThatContradictsItAreRefused) {
             "Cohesion law = none?");
 }
 
+TEST(PlasticContacts, WithoutStrengthOrOfAnotherLawAreRefused) {
+  std::vector<std::string> yields{"Contact/Preset=custom", "Contact/Normal law=thornton_ning",
+                                  "Contact/Cohesion law=sjkr2", "Contact/Tangential law=mindlin"};
+  auto const with = [&](std::string const& entry) {
+    auto all = yields;
+    all.push_back(entry);
+    return refusal(all);
+  };
+  EXPECT_EQ(refusal(yields),
+            "case.prm: Contact/Yield pressure = 0 Pa (default): leaves Contact/Normal law = "
+            "thornton_ning without strength. About 2.8 times the yield stress?");
+  // 4 pi k / pi with k = 5e6 J/m^3
+  EXPECT_EQ(with("Contact/Yield pressure=20 MPa"),
+            "Contact/Yield pressure = 20 MPa: does not hold the cohesion of sjkr2 (5e+06 J/m^3), "
+            "which needs more than 20 MPa. A stronger grain, or less cohesion?");
+  EXPECT_EQ(with("Contact/Yield pressure=20.1 MPa"), "accepted");
+  EXPECT_EQ(refusal({"Contact/Yield pressure=20 MPa"}),
+            "Contact/Yield pressure = 20 MPa: is not used (Contact/Normal law = hertz; "
+            "thornton_ning uses it). Remove it?");
+  EXPECT_EQ(refusal({"Contact/Plasticity ratio=0.5"}),
+            "Contact/Plasticity ratio = 0.5: is not used (Contact/Normal law = hertz; edinburgh "
+            "uses it). Remove it?");
+}
+
 TEST(Coefficients, ThatNoLawUsesAreRefused) {
   EXPECT_EQ(refusal({"Contact/Particle-particle/Coefficient of rolling friction=0.1"}),
             "Contact/Particle-particle/Coefficient of rolling friction = 0.1: is not used "
@@ -191,7 +215,7 @@ TEST(Coefficients, ThatNoLawUsesAreRefused) {
             "Remove it?");
   EXPECT_EQ(refusal({"Contact/Particle-wall/Surface energy=0.1"}),
             "Contact/Particle-wall/Surface energy = 0.1: is not used (Contact/Normal law = hertz; "
-            "jkr uses it). Remove it?");
+            "jkr and edinburgh use it). Remove it?");
   EXPECT_EQ(refusal({"Contact/Particle-wall/Surface energy=0 J/m^2"}), "accepted");
   // (3 pi k / E*)^2 with E* = 250 MPa / (2 (1 - 0.25^2)) = 133.3 MPa and k = 5e7: (3.534)^2 = 12.5
   EXPECT_EQ(refusal({"Contact/Particle-particle/Cohesion energy density=5e7 J/m^3"}),

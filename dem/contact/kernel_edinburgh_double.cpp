@@ -1,0 +1,7 @@
+#include "dem/contact/kernel_choice.hpp"
+
+namespace dem::sweep_detail {
+
+template std::optional<ContactKernel<double>> kernel_with<double, Edinburgh>(ContactChoice const&);
+
+} // namespace dem::sweep_detail

@@ -1,0 +1,7 @@
+#include "dem/contact/kernel_choice.hpp"
+
+namespace dem::sweep_detail {
+
+template std::optional<ContactKernel<float>> kernel_with<float, ThorntonNing>(ContactChoice const&);
+
+} // namespace dem::sweep_detail
