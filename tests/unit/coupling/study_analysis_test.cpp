@@ -145,7 +145,7 @@ TEST(StudyAnalysis, KeepsTheJointRegion) {
 TEST(StudyAnalysis, RefusesADesignThatDoesNotHoldItsModel) {
   support::ScratchFolder const folder;
   auto const study = [&](std::string const& model, std::string const& levels) {
-    auto const file = folder / "study.prm";
+    auto file = folder / "study.prm";
     support::put_bytes(
         file, "set Case = " PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm\nset Model = " + model +
                   "\nsubsection Design\n  set Kind = full_factorial\nend\n"
