@@ -69,9 +69,10 @@ void declare_compare(CLI::App& program, Command& command) {
 }
 
 void declare_report(CLI::App& program, Command& command) {
-  CLI::App& app = *program.add_subcommand("report", "rebuild the report of a run folder");
+  CLI::App& app =
+      *program.add_subcommand("report", "rebuild the report of a run folder or of a study");
   auto folder = std::make_shared<std::filesystem::path>();
-  app.add_option("folder", *folder, "run folder")->required();
+  app.add_option("folder", *folder, "run folder, or folder of a study")->required();
   app.callback([folder, &command] { command = [folder] { return report(*folder); }; });
 }
 

@@ -5,9 +5,11 @@
 #include "coupling/study/analysis.hpp"
 #include "coupling/study/batch.hpp"
 #include "coupling/study/batch_rank.hpp"
+#include "coupling/study/published.hpp"
 #include "coupling/study/results_table.hpp"
 #include "coupling/study/slurm_export.hpp"
 #include "coupling/study/study_estimates.hpp"
+#include "coupling/study/study_page.hpp"
 #include "coupling/study/validation_runs.hpp"
 #include "dem/expect.hpp"
 
@@ -37,6 +39,7 @@ std::filesystem::path folder_of(StudyOptions const& options) {
 /// The runs that were asked for by name; all without a name.
 std::vector<std::size_t> chosen(std::vector<StudyRun> const& runs, StudyOptions const& options) {
   std::vector<std::string> names;
+  names.reserve(runs.size());
   for (auto const& run : runs)
     names.push_back(run.id);
   std::vector<std::size_t> found;
@@ -55,6 +58,7 @@ std::vector<std::size_t> chosen(std::vector<StudyRun> const& runs, StudyOptions 
 template <class T>
 std::vector<T> part_of(std::vector<T> const& all, std::vector<std::size_t> const& indices) {
   std::vector<T> part;
+  part.reserve(indices.size());
   for (auto const k : indices)
     part.push_back(all[k]);
   return part;
@@ -82,13 +86,16 @@ std::string call_again(StudyOptions const& options, BatchFolder const& folder) {
   return fmt::format("presscheck study {} -o {}", options.file.string(), folder.path().string());
 }
 
-/// Fits what the study asks for, says it and keeps it beside the results.
-void report_analysis(ResultsTable const& table, BatchFolder const& folder) {
-  if (table.study.responses.empty())
-    return;
-  Analysis const analysis = analyse(table);
-  write_analysis(analysis, table.study, folder.path());
-  std::cout << describe(analysis, table.study) << '\n';
+/// Writes what came out: results.csv, study.json, and what the study asks for of complete runs;
+/// then the page.
+void write_outcome(ResultsTable const& table, StudyPlan const& plan, BatchFolder const& folder) {
+  write_results(table, folder.path());
+  auto const analysis = analyse_if_complete(table);
+  if (analysis) {
+    write_analysis(*analysis, table.study, folder.path());
+    std::cout << describe(*analysis, table.study) << '\n';
+  }
+  write_study_page({table, plan, analysis}, folder.path() / "report.html");
 }
 
 /// Tells how the runs stand. @returns the exit status
@@ -102,7 +109,8 @@ int report_runs(ResultsTable const& table, StudyOptions const& options, BatchFol
                                folder.log(row.run.id).string());
   }
   std::cout << fmt::format("{} of {} runs done, {} failed\n", n_done, table.rows.size(), n_failed);
-  std::cout << fmt::format("results: {}\n", (folder.path() / "results.csv").string());
+  std::cout << fmt::format("results: {}\nreport: {}\n", (folder.path() / "results.csv").string(),
+                           (folder.path() / "report.html").string());
   if (n_done == table.rows.size())
     return done;
   std::cerr << fmt::format("go on with: {}{}\n", call_again(options, folder),
@@ -118,16 +126,13 @@ int read_instead(StudyPlan const& plan, StudyOptions const& options, BatchFolder
     return done;
   folder.check(plan, options.overwrite);
   folder.prepare(plan.study, plan.runs, std::vector<RunEstimate>(plan.runs.size()));
-  write_results(table, folder.path());
-  report_analysis(table, folder);
+  write_outcome(table, plan, folder);
   return report_runs(table, options, folder);
 }
 
-int collect(StudyOptions const& options, BatchFolder const& folder) {
+int collect(StudyPlan const& plan, StudyOptions const& options, BatchFolder const& folder) {
   auto const table = load_study(folder.path());
-  write_results(table, folder.path());
-  if (table.finished().size() > 0 && std::ranges::all_of(table.rows, &ResultRow::is_done))
-    report_analysis(table, folder);
+  write_outcome(table, plan, folder);
   return report_runs(table, options, folder);
 }
 
@@ -188,7 +193,7 @@ int run_study(StudyPlan const& plan, StudyOptions const& options, BatchFolder co
     return done; // rank 0 tells what failed
   if (!options.only.empty())
     return outcome.is_complete() ? done : failed;
-  return collect(options, folder);
+  return collect(plan, options, folder);
 }
 
 } // namespace
@@ -204,10 +209,11 @@ int study(StudyOptions const& options) {
   BatchFolder const folder(folder_of(options));
   auto const plan = plan_study(read_study(options.file));
   validate_model(plan);
+  static_cast<void>(Published(plan)); // its tables are refused before anything is run
   if (plan.study.is_data())
     return read_instead(plan, options, folder);
   if (options.collects)
-    return collect(options, folder);
+    return collect(plan, options, folder);
   return run_study(plan, options, folder);
 }
 

@@ -14,6 +14,11 @@ add_custom_command(
           ${CMAKE_CURRENT_LIST_DIR}/report.css
           ${CMAKE_CURRENT_LIST_DIR}/report.html.in
           ${CMAKE_CURRENT_LIST_DIR}/report.js
+          ${CMAKE_CURRENT_LIST_DIR}/study.css
+          ${CMAKE_CURRENT_LIST_DIR}/study.html.in
+          ${CMAKE_CURRENT_LIST_DIR}/study.js
+          ${CMAKE_CURRENT_LIST_DIR}/study_plots.js
+          ${CMAKE_CURRENT_LIST_DIR}/surface_plot.js
   VERBATIM)
 set_source_files_properties(report/script_library.cpp PROPERTIES
   COMPILE_DEFINITIONS PRESSCHECK_JAVASCRIPT_DIR="${PRESSCHECK_JAVASCRIPT_DIR}")

@@ -13,5 +13,10 @@ extern std::string_view const compact_view;   ///< compact_view.js
 extern std::string_view const compact_shader; ///< compact_shader.js
 extern std::string_view const report_script;  ///< report.js
 extern std::string_view const compare_script; ///< compare.js
+extern std::string_view const study_page;     ///< study.html.in
+extern std::string_view const study_style;    ///< study.css
+extern std::string_view const study_plots;    ///< study_plots.js
+extern std::string_view const surface_plot;   ///< surface_plot.js
+extern std::string_view const study_script;   ///< study.js
 
 } // namespace coupling::assets

@@ -56,7 +56,7 @@ let chartCount = 0;
 /**
  * A chart in a <figure class="chart"> with a figcaption and a .plot.
  *   spec = {caption, note, x: {label, unit}, y: {label, unit, fromZero}, hover: 'column' | 'nearest',
- *           series: [{name, x: [], y: [], dash, colour}], bands: [{name, from, to}], marks: [{name, y, sd}]}
+ *           series: [{name, x: [], y: [], dash, colour, width}], bands: [{name, from, to}], marks: [{name, y, sd}]}
  * Values are SI; the chart picks readable units. Drag to zoom, double click to see all.
  */
 class LineChart {
@@ -126,6 +126,10 @@ class LineChart {
   px(v) { return this.frame.left + (v - this.x[0]) / (this.x[1] - this.x[0]) * (this.frame.right - this.frame.left); }
   py(v) { return this.frame.bottom - (v - this.y[0]) / (this.y[1] - this.y[0]) * (this.frame.bottom - this.frame.top); }
 
+  ticksOf(axis, n) { return ticks(...this[axis], n); }
+  /** The x under a pixel: what px() makes a pixel of. */
+  valueAt(p) { return this.x[0] + (p - this.frame.left) / (this.frame.right - this.frame.left) * (this.x[1] - this.x[0]); }
+
   draw() {
     this.findRanges();
     const label = `${this.spec.caption}: ${this.series.map(s => s.name).join(', ')}; ${this.axisName('y')} over ${this.axisName('x')}`;
@@ -162,11 +166,11 @@ class LineChart {
 
   drawAxes(svg) {
     const {left, right, top, bottom} = this.frame;
-    for (const t of ticks(...this.y, 5)) {
+    for (const t of this.ticksOf('y', 5)) {
       element('line', {x1: left, x2: right, y1: this.py(t.value), y2: this.py(t.value), stroke: '#e4e8ed'}, null, svg);
       element('text', {x: left - 7, y: this.py(t.value) + 4, 'text-anchor': 'end'}, t.text, svg);
     }
-    for (const t of ticks(...this.x, this.wide ? 12 : 6)) {
+    for (const t of this.ticksOf('x', this.wide ? 12 : 6)) {
       element('line', {x1: this.px(t.value), x2: this.px(t.value), y1: bottom, y2: bottom + 4, stroke: '#9aa4b0'}, null, svg);
       element('text', {x: this.px(t.value), y: bottom + 17, 'text-anchor': 'middle'}, t.text, svg);
     }
@@ -197,7 +201,7 @@ class LineChart {
       path += `${pen}${this.px(s.x[k]).toFixed(1)} ${this.py(s.y[k]).toFixed(1)}`;
       pen = 'L';
     }
-    element('path', {d: path, stroke: s.colour, 'stroke-width': 1.8, 'stroke-linejoin': 'round', 'stroke-dasharray': s.dash}, null, svg);
+    element('path', {d: path, stroke: s.colour, 'stroke-width': s.width || 1.8, 'stroke-linejoin': 'round', 'stroke-dasharray': s.dash}, null, svg);
   }
 
   listen() {
@@ -241,9 +245,8 @@ class LineChart {
     const from = this.dragFrom;
     this.dragFrom = undefined;
     if (from === undefined || Math.abs(x - from) < 8) return;
-    const value = p => this.x[0] + (p - this.frame.left) / (this.frame.right - this.frame.left) * (this.x[1] - this.x[0]);
     const clamp = v => Math.min(this.x[1], Math.max(this.x[0], v));
-    this.zoom = [clamp(value(Math.min(x, from))), clamp(value(Math.max(x, from)))];
+    this.zoom = [clamp(this.valueAt(Math.min(x, from))), clamp(this.valueAt(Math.max(x, from)))];
     this.tip.hidden = true;
     this.draw();
   }

@@ -61,6 +61,7 @@ void calibrate_into(Analysis& analysis, StudyFile const& study) {
   if (problem.targets.empty())
     return;
   analysis.calibration = calibrate(problem);
+  analysis.regions = joint_regions(problem, *analysis.calibration);
   if (study.factors.size() != study.calibration.held.size() + 1)
     return;
   for (CalibrationTarget const& target : problem.targets)
@@ -78,6 +79,16 @@ std::vector<double> column(Eigen::MatrixXd const& natural, std::size_t f) {
   return {values.begin(), values.end()};
 }
 
+TrendForm packing_form_of(PackingPlan const& plan, double largest_size) {
+  if (plan.coarse.empty())
+    return packing_form(plan.fine_share, plan.compaction_index, largest_size);
+  std::vector<GrainClass> coarse;
+  for (SizeClass const& one : plan.coarse)
+    coarse.push_back(
+        {.size = one.diameter, .share = one.mass_fraction, .packing = 0.5}); // not read
+  return packing_form(std::move(coarse), plan.fine_share, plan.compaction_index);
+}
+
 void extrapolate_into(Analysis& analysis, ResultsTable const& table) {
   auto const& wanted = table.study.extrapolation;
   if (wanted.factor.empty())
@@ -88,25 +99,16 @@ void extrapolate_into(Analysis& analysis, ResultsTable const& table) {
       continue;
     Eigen::VectorXd const& y = part.surface.data.response;
     std::vector<double> const responses(y.begin(), y.end());
-    std::vector<TrendForm> forms{linear_form(), quadratic_form(), logarithmic_form()};
-    if (y.minCoeff() > 0.0)
-      forms.push_back(power_form(sizes, responses));
+    std::vector<std::string> left_out;
+    auto forms = trend_forms(wanted, sizes, responses, left_out);
+    auto trend = extrapolate(sizes, responses, wanted.value, forms);
+    trend.left_out.insert(trend.left_out.end(), left_out.begin(), left_out.end());
     analysis.trends.push_back({.response = part.response.name,
-                               .trend = extrapolate(sizes, responses, wanted.value, forms)});
+                               .trend = std::move(trend),
+                               .sizes = sizes,
+                               .responses = responses,
+                               .forms = std::move(forms)});
   }
-}
-
-void cost_into(Analysis& analysis, ResultsTable const& table) {
-  if (table.study.cost_factor.empty())
-    return;
-  Eigen::VectorXd const seconds = table.cpu_seconds();
-  auto const sizes = column(table.natural(), column_of(table.study, table.study.cost_factor));
-  std::vector<double> x, y;
-  for (std::size_t run = 0; run < sizes.size(); ++run)
-    if (double const s = seconds[static_cast<Eigen::Index>(run)]; std::isfinite(s) && s > 0.0)
-      x.push_back(sizes[run]), y.push_back(s);
-  if (!x.empty())
-    analysis.cost = fit_power_law(x, y);
 }
 
 void validate_into(Analysis& analysis, ResultsTable const& table) {
@@ -131,6 +133,27 @@ void validate_into(Analysis& analysis, ResultsTable const& table) {
 }
 
 } // namespace
+
+std::vector<TrendForm> trend_forms(ExtrapolationPlan const& plan, std::vector<double> const& sizes,
+                                   std::vector<double> const& responses,
+                                   std::vector<std::string>& left_out) {
+  std::vector<TrendForm> forms;
+  for (std::string const& name : plan.forms) {
+    if (name == "linear")
+      forms.push_back(linear_form());
+    else if (name == "quadratic")
+      forms.push_back(quadratic_form());
+    else if (name == "logarithmic")
+      forms.push_back(logarithmic_form());
+    else if (name == "power")
+      forms.push_back(power_form(sizes, responses));
+    else if (std::ranges::all_of(responses, [](double y) { return y > 0.0 && y < 1.0; }))
+      forms.push_back(packing_form_of(plan.packing, std::ranges::max(sizes)));
+    else
+      left_out.push_back("packing model: a response is no porosity (between 0 and 1)");
+  }
+  return forms;
+}
 
 void validate_model(StudyPlan const& plan) {
   if (plan.study.factors.empty())
@@ -163,9 +186,18 @@ Analysis analyse(ResultsTable const& table) {
   analysis.influences = screen_factors(surfaces);
   calibrate_into(analysis, table.study);
   extrapolate_into(analysis, table);
-  cost_into(analysis, table);
+  if (!table.study.cost.factor.empty())
+    analysis.cost = analyse_cost(table);
   validate_into(analysis, table);
   return analysis;
+}
+
+std::optional<Analysis> analyse_if_complete(ResultsTable const& table) {
+  bool const is_complete =
+      !table.rows.empty() && std::ranges::all_of(table.rows, &ResultRow::is_done);
+  if (table.study.responses.empty() || !is_complete)
+    return std::nullopt;
+  return analyse(table);
 }
 
 std::vector<double> calibrated_point(Analysis const& analysis) {

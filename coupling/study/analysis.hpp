@@ -2,7 +2,8 @@
 
 #include "coupling/study/anova.hpp"
 #include "coupling/study/calibration.hpp"
-#include "coupling/study/power_law.hpp"
+#include "coupling/study/cost_forecast.hpp"
+#include "coupling/study/joint_region.hpp"
 #include "coupling/study/results_table.hpp"
 #include "coupling/study/screening.hpp"
 #include "coupling/study/size_trend.hpp"
@@ -30,6 +31,8 @@ struct ResponseRoots {
 struct ResponseTrend {
   std::string response;
   Extrapolation trend;
+  std::vector<double> sizes, responses; ///< that it was fitted to, one a run
+  std::vector<TrendForm> forms;         ///< that the study file names
 };
 
 /// A run beside the design against what the surface foretold for it.
@@ -47,7 +50,8 @@ struct Analysis {
   std::optional<Calibration> calibration;   ///< of the responses that have targets
   std::vector<ResponseRoots> roots;         ///< where one factor is free
   std::vector<ResponseTrend> trends;
-  std::optional<PowerLaw> cost; ///< processor seconds against the cost's factor
+  std::vector<JointRegion> regions; ///< of the calibration, a pair of free factors each
+  std::optional<CostAnalysis> cost; ///< processor time against the cost's factor
   std::vector<ValidationCheck> validation;
 };
 
@@ -59,8 +63,18 @@ void validate_model(StudyPlan const& plan);
 /// @throws dem::InvalidInput if the finished runs do not determine the model
 Analysis analyse(ResultsTable const& table);
 
+/// The same where every run is done and the study has a response; else nothing: which runs fail
+/// hangs on the factors, and what is left would be fitted as if it did not.
+std::optional<Analysis> analyse_if_complete(ResultsTable const& table);
+
 /// The factors where the calibration stands, as natural values of a run [SI].
 std::vector<double> calibrated_point(Analysis const& analysis);
+
+/// The curves that the study file names, for a response against a size; those that cannot hold for
+/// such a response are in `left_out`, with the reason.
+std::vector<TrendForm> trend_forms(ExtrapolationPlan const& plan, std::vector<double> const& sizes,
+                                   std::vector<double> const& responses,
+                                   std::vector<std::string>& left_out);
 
 /// Tables and sentences for a reader, in the units of the study file.
 std::string describe(Analysis const& analysis, StudyFile const& study);

@@ -60,6 +60,15 @@ Json response_json(ResponseAnalysis const& part) {
   return json;
 }
 
+Json region_json(JointRegion const& region, Calibration const& found) {
+  auto const name = [&](int factor) {
+    return found.factors[static_cast<std::size_t>(factor)].name;
+  };
+  return {{"factors", {name(region.first), name(region.second)}},
+          {"chi_squared", number(region.threshold)},
+          {"lines", region.lines}};
+}
+
 Json calibration_json(Analysis const& analysis) {
   Calibration const& found = *analysis.calibration;
   Json json{{"chi_squared", number(found.chi_squared)},
@@ -86,6 +95,32 @@ Json calibration_json(Analysis const& analysis) {
     for (TargetRoot const& root : part.roots)
       json["roots"].push_back(
           {{"response", part.response}, {"value", number(root.value)}, {"sd", number(root.sd)}});
+  for (JointRegion const& region : analysis.regions)
+    json["region"].push_back(region_json(region, found));
+  return json;
+}
+
+Json prediction_json(CostPrediction const& one) {
+  return {{"value", number(one.value)},
+          {"low", number(one.run_lower)},
+          {"high", number(one.run_upper)}};
+}
+
+Json cost_json(CostAnalysis const& cost) {
+  Json json{{"factor", cost.factor}, {"runs", cost.sizes.size()}};
+  if (cost.law) {
+    json["exponent"] = number(cost.law->exponent);
+    json["low"] = number(cost.law->exponent_lower);
+    json["high"] = number(cost.law->exponent_upper);
+    json["seconds_at_1"] = number(cost.law->factor);
+  }
+  for (CostForecast const& one : cost.forecasts)
+    json["forecasts"].push_back({{"at", number(one.at)},
+                                 {"cpu_seconds", prediction_json(one.seconds)},
+                                 {"grains", prediction_json(one.grains)},
+                                 {"bytes", number(one.bytes)},
+                                 {"bytes_high", number(one.bytes_upper)}});
+  json["statements"] = cost.statements;
   return json;
 }
 
@@ -93,7 +128,8 @@ Json trend_json(ResponseTrend const& part) {
   Json json{{"response", part.response},
             {"size", number(part.trend.size)},
             {"lowest", number(part.trend.lowest)},
-            {"highest", number(part.trend.highest)}};
+            {"highest", number(part.trend.highest)},
+            {"left_out", part.trend.left_out}};
   for (TrendFit const& fit : part.trend.fits)
     json["forms"].push_back({{"form", fit.form},
                              {"value", number(fit.value)},
@@ -112,10 +148,7 @@ Json analysis_json(Analysis const& analysis, StudyFile const& study) {
   for (ResponseTrend const& part : analysis.trends)
     json["extrapolation"].push_back(trend_json(part));
   if (analysis.cost)
-    json["cost"] = {{"factor", study.cost_factor},
-                    {"exponent", number(analysis.cost->exponent)},
-                    {"low", number(analysis.cost->exponent_lower)},
-                    {"high", number(analysis.cost->exponent_upper)}};
+    json["cost"] = cost_json(*analysis.cost);
   for (ValidationCheck const& check : analysis.validation)
     json["validation"].push_back({{"run", check.run},
                                   {"response", check.response},

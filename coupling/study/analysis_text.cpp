@@ -84,18 +84,39 @@ void describe_trends(Out out, Analysis const& analysis, StudyFile const& study) 
   }
 }
 
+std::string interval(double low, double high, std::string_view unit) {
+  return std::isfinite(low) && std::isfinite(high)
+             ? fmt::format("95 %: {:.3g} to {:.3g}{}", low, high, unit)
+             : "no interval: too few runs";
+}
+
+void describe_forecast(Out out, CostForecast const& one, StudyFile const& study) {
+  fmt::format_to(out, "  a run at {} = {} would take {:.3g} s ({})", study.cost.factor,
+                 study.cost.text(one.at, study), one.seconds.value,
+                 interval(one.seconds.run_lower, one.seconds.run_upper, " s"));
+  if (std::isfinite(one.bytes) && study.cost.is_of_grains)
+    fmt::format_to(out, " and at most {:.3g} GB", 1e-9 * one.bytes);
+  else if (std::isfinite(one.bytes))
+    fmt::format_to(out, " and at most {:.3g} GB: {:.3g} grains ({})", 1e-9 * one.bytes,
+                   one.grains.value, interval(one.grains.run_lower, one.grains.run_upper, ""));
+  fmt::format_to(out, "\n");
+}
+
 void describe_cost(Out out, Analysis const& analysis, StudyFile const& study) {
   if (!analysis.cost)
     return;
-  fmt::format_to(out, "\nCost: processor time grows as {}^{:.3g} (95 %: {:.3g} to {:.3g})\n",
-                 study.cost_factor, analysis.cost->exponent, analysis.cost->exponent_lower,
-                 analysis.cost->exponent_upper);
-  if (study.extrapolation.factor != study.cost_factor)
-    return;
-  auto const at = analysis.cost->predict(study.extrapolation.value);
-  fmt::format_to(out, "  a run at {} would take {:.3g} s (95 %: {:.3g} to {:.3g} s)\n",
-                 study.factor(study.cost_factor)->text(study.extrapolation.value), at.value,
-                 at.run_lower, at.run_upper);
+  CostAnalysis const& cost = *analysis.cost;
+  if (cost.law)
+    fmt::format_to(out, "\nCost: processor time grows as {}^{:.3g} ({})\n", cost.factor,
+                   cost.law->exponent,
+                   interval(cost.law->exponent_lower, cost.law->exponent_upper, ""));
+  else
+    fmt::format_to(out, "\nCost:\n");
+  for (CostForecast const& one : cost.forecasts)
+    if (cost.law)
+      describe_forecast(out, one, study);
+  for (std::string const& statement : cost.statements)
+    fmt::format_to(out, "  {}\n", statement);
 }
 
 } // namespace

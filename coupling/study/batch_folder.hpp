@@ -44,7 +44,7 @@ private:
 
 /// The files of a study:
 ///   study.resolved.prm  plan.json  cases/ID.prm  runs/ID/  logs/ID.log  states/ID.json
-///   locks/ID.lock  study.lock  results.csv  study.json  replaced/
+///   locks/ID.lock  study.lock  results.csv  study.json  analysis.txt  report.html  replaced/
 /// All but the logs and the run folders appear complete or not at all.
 class BatchFolder {
 public:

@@ -13,9 +13,6 @@
 namespace coupling::study {
 namespace {
 
-// The program, its libraries and what it writes pictures with, measured.
-constexpr double bytes_of_program = 200e6;
-
 // Mean of a cycle between the loose bed and the pressed one, which costs pressed_to_loose times as
 // much; on the seed's cycle.
 constexpr double mean_to_loose = 0.5 * (1.0 + pressed_to_loose);
@@ -31,12 +28,16 @@ RunEstimate estimate_run(StudyRun const& run) {
     RunSize const size = run_size(press);
     return {.grains = size.grains,
             .steps = size.steps,
-            .bytes = bytes_of_program + bytes_a_pressed_grain * size.grains,
+            .bytes = bytes_of_run(size.grains),
             .seconds_per_particle_step =
                 mean_to_loose * measure_step(press.world, size.step).seconds / size.grains};
   } catch (dem::InvalidInput const& problem) {
     throw dem::InvalidInput(fmt::format("{}: run '{}': {}", run.where, run.id, problem.what()));
   }
+}
+
+double bytes_of_run(double grains) {
+  return bytes_of_program + bytes_a_pressed_grain * grains;
 }
 
 StudyCost sum_costs(std::vector<RunEstimate> const& estimates) {

@@ -7,6 +7,12 @@
 
 namespace coupling::study {
 
+/// The program, its libraries and what it writes pictures with, measured.
+inline constexpr double bytes_of_program = 200e6;
+
+/// Memory of a run:  200 MB + 1000 B a grain (run_estimate.hpp: what the engine is allowed).  [B]
+double bytes_of_run(double grains);
+
 /// What a run is expected to need.
 struct RunEstimate {
   double grains = 0.0;

@@ -211,16 +211,12 @@ std::string StudyFactor::si_unit() const {
   return si.empty() ? "1" : std::string(si);
 }
 
-namespace {
-
-double unit_factor(StudyFactor const& factor) {
-  return parse_quantity(with_unit("1", factor.unit), factor.physical);
+double StudyFactor::number(double natural) const {
+  return natural / parse_quantity(with_unit("1", unit), physical);
 }
 
-} // namespace
-
 std::string StudyFactor::text(double natural) const {
-  return with_unit(plain_number(natural / unit_factor(*this), 6), unit);
+  return with_unit(plain_number(number(natural), 6), unit);
 }
 
 double StudyFactor::rounded(double natural) const {
@@ -228,19 +224,19 @@ double StudyFactor::rounded(double natural) const {
 }
 
 std::string StudyFactor::name_of(double natural) const {
-  auto const number = plain_number(natural / unit_factor(*this), 6);
-  return std::isdigit(static_cast<unsigned char>(name.back())) != 0 ? name + "_" + number
-                                                                    : name + number;
+  auto const written = plain_number(number(natural), 6);
+  return std::isdigit(static_cast<unsigned char>(name.back())) != 0 ? name + "_" + written
+                                                                    : name + written;
 }
 
 std::vector<PlacedValue> StudyFactor::values(double natural) const {
   std::vector<PlacedValue> set;
-  double const number = natural / unit_factor(*this);
+  double const in_unit = number(natural);
   for (auto const& entry : entries) {
     auto filled = entry.pattern;
     // Twelve digits: 0.8 x 2341 is 1872.8 and not its binary neighbour.
     filled.replace(filled.find("{}"), 2,
-                   with_unit(plain_number(entry.multiplier * number, 12), unit));
+                   with_unit(plain_number(entry.multiplier * in_unit, 12), unit));
     set.push_back({entry.path, filled, where});
   }
   return set;

@@ -33,6 +33,9 @@ struct StudyFactor {
   /// SI unit of its values; `1` for a ratio.
   std::string si_unit() const;
 
+  /// The number of a value in the author's unit: 1375 of 1375e6 Pa.
+  double number(double natural) const;
+
   /// `1375 MPa`: six digits, so that a name, a case and a table say the same.
   std::string text(double natural) const;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/case.hpp"
 #include "coupling/study/study_factor.hpp"
 
 #include <cstdint>
@@ -22,6 +23,8 @@ struct StudyResponse {
   std::string unit;                  ///< SI; `1` for a ratio
   std::optional<double> target;      ///< [SI]
   std::optional<double> uncertainty; ///< [SI], standard uncertainty of the target
+  std::optional<double> observed;    ///< [SI], measured; the target, if there is one
+  double reference_scale = 1.0;      ///< [1], published values times this are comparable
 };
 
 /// Rows of another table of results, which count only where `column` says `text`.
@@ -50,10 +53,37 @@ struct CalibrationPlan {
   int validation_replicates = 1;
 };
 
+/// What the packing model needs to know of the mixture.
+struct PackingPlan {
+  double fine_share = 0.0;       ///< [1], of the solid volume
+  double compaction_index = 9.0; ///< [1]
+  std::vector<SizeClass> coarse; ///< empty: one size, which is fitted
+};
+
 struct ExtrapolationPlan {
   std::string factor;                 ///< name; empty: none
   double value = 0.0;                 ///< [SI]
   std::vector<std::string> responses; ///< names; never empty where there is a factor
+  std::vector<std::string> forms;     ///< linear, quadratic, logarithmic, power, packing_model
+  PackingPlan packing = {};           ///< of packing_model
+};
+
+/// Word for the number of grains where a cost asks for a factor.
+inline constexpr std::string_view grains_word = "grains";
+
+struct CostPlan {
+  std::string factor;             ///< name of a factor, or grains_word; empty: none
+  bool is_of_grains = false;      ///< and no factor is called so
+  std::vector<double> predict_at; ///< [SI]
+
+  /// A value of the factor as the study's author would write it.
+  std::string text(double at, struct StudyFile const& study) const;
+};
+
+/// Published values that stand beside those of the runs.
+struct ReferencePlan {
+  std::vector<std::filesystem::path> tables; ///< absolute
+  std::map<std::string, std::string> rows;   ///< set-up -> what the tables call it, if otherwise
 };
 
 struct StudyFile {
@@ -68,7 +98,8 @@ struct StudyFile {
   std::vector<StudyResponse> responses = {}; ///< at least one where there are factors
   CalibrationPlan calibration = {};
   ExtrapolationPlan extrapolation = {};
-  std::string cost_factor = {};   ///< name; empty: none
+  CostPlan cost = {};
+  ReferencePlan references = {};
   std::string resolved_text = {}; ///< the study as understood, .prm, paths absolute
 
   bool is_data() const { return !design.results.empty(); }

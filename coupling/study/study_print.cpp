@@ -37,6 +37,13 @@ private:
   std::string text_;
 };
 
+std::string joined(std::vector<std::filesystem::path> const& files) {
+  std::string text;
+  for (auto const& file : files)
+    text += (text.empty() ? "" : ", ") + file.string();
+  return text;
+}
+
 /// Entries of numbered sections: `Factor #` for each number.
 void print_numbered(Sections& sections, StudyText const& text, std::string const& kind) {
   for (int const number : text.numbers(kind))
@@ -69,13 +76,15 @@ std::string print_study(StudyText const& text, StudyFile const& study) {
         value = study.design.table.string();
       else if (entry.path == "Design/Results")
         value = study.design.results.string();
+      else if (entry.path == "Reference/Tables")
+        value = joined(study.references.tables);
       sections.set(of, entry.name(), value);
     }
   };
   print("Design");
   print_numbered(sections, text, "Factor");
   print_numbered(sections, text, "Response");
-  for (auto const* section : {"Calibration", "Extrapolation", "Cost"})
+  for (auto const* section : {"Calibration", "Extrapolation", "Cost", "Reference"})
     print(section);
   return sections.finish();
 }

@@ -1,5 +1,6 @@
 #include "coupling/study/study_quantities.hpp"
 
+#include "coupling/case_value.hpp"
 #include "coupling/compare/value_table.hpp"
 #include "coupling/nearest_name.hpp"
 #include "coupling/record/atomic_file.hpp"
@@ -77,7 +78,8 @@ StudyResponse read_response(StudyText const& text, std::string const& section,
                          .where = text.where(section + "/Quantity"),
                          .unit = {},
                          .target = {},
-                         .uncertainty = {}};
+                         .uncertainty = {},
+                         .observed = {}};
   auto found = known.find(response.quantity);
   if (found == known.end())
     found = known.find(split_key(response.quantity).first);
@@ -101,6 +103,13 @@ StudyResponse read_response(StudyText const& text, std::string const& section,
     if (!(*response.uncertainty > 0.0))
       text.refuse(uncertainty, "is not above 0. Leave it out if it is not known?");
   }
+  auto const observed = section + "/Observed", scale = section + "/Reference scale";
+  if (!text.text(observed).empty() && response.target)
+    text.refuse(observed, "is not used (Target says what was measured). Remove one of the two?");
+  response.observed = text.text(observed).empty()
+                          ? response.target
+                          : std::optional(read_target(text, observed, response.unit));
+  response.reference_scale = parse_number(*find_study_entry(scale), text.text(scale));
   return response;
 }
 

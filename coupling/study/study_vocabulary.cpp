@@ -17,6 +17,7 @@ namespace {
 using enum EntryKind;
 
 constexpr Range any{};
+constexpr Range above_zero{.low = 0.0, .is_low_allowed = false};
 constexpr Range count_from(double low, double high) {
   return {.low = low, .high = high};
 }
@@ -30,6 +31,12 @@ Entry words(std::string path, std::string standard, std::string description) {
 Entry number(std::string path, std::string standard, Range range, std::string description) {
   return {std::move(path), count, Physical::ratio,       std::move(standard),
           range,           "",    std::move(description)};
+}
+
+Entry quantity_of(std::string path, Physical physical, std::string standard, Range range,
+                  std::string description) {
+  return {std::move(path),       quantity, physical, std::move(standard), range, "",
+          std::move(description)};
 }
 
 Entry one_of(std::string path, std::string standard, std::string choices, std::string description) {
@@ -72,6 +79,10 @@ std::vector<Entry> part_entries() {
       words("Response #/Quantity", "", "Key of summary.json, or column of Results."),
       words("Response #/Target", "", "Value that calibration aims at."),
       words("Response #/Target uncertainty", "", "Standard uncertainty of the target."),
+      words("Response #/Observed", "",
+            "Measured value to stand beside; calibration aims at Target."),
+      quantity_of("Response #/Reference scale", Physical::ratio, "1", above_zero,
+                  "Published values times this stand beside the response."),
       words("Calibration/Held", "", "name = value, with commas: factors that are not fitted."),
       one_of("Calibration/Validation", "false", "true | false", "Run the calibrated point."),
       number("Calibration/Validation replicates", "1", count_from(1, 1000),
@@ -79,7 +90,23 @@ std::vector<Entry> part_entries() {
       words("Extrapolation/Factor", "", "Factor that is a size."),
       words("Extrapolation/Value", "", "Its value that cannot be run."),
       words("Extrapolation/Responses", "", "Names of responses, with commas; empty: all."),
-      words("Cost/Factor", "", "Factor that the cost is a power of."),
+      words("Extrapolation/Forms", "linear, quadratic, logarithmic, power",
+            "Curves that compete, with commas; packing_model (de Larrard) is one, too."),
+      quantity_of("Extrapolation/Fine share", Physical::ratio, "",
+                  {.low = 0.0, .high = 1.0, .is_low_allowed = false, .is_high_allowed = false},
+                  "packing_model: share of the grains of size Factor in the solid volume."),
+      quantity_of("Extrapolation/Compaction index", Physical::ratio, "9", above_zero,
+                  "packing_model: K; 4.1 poured, 4.75 rodded, 9 vibrated and pressed."),
+      {"Extrapolation/Coarse sizes", size_classes, Physical::length, "", above_zero, "",
+       "packing_model: the other grains; empty: one size, which is fitted."},
+      words("Cost/Factor", "",
+            "Factor that the cost is a power of, or the word grains: their number."),
+      words("Cost/Predict at", "",
+            "Its values, with commas, at which a run's time and memory are foretold; empty: "
+            "Extrapolation/Value where the factor is the same."),
+      words("Reference/Tables", "", "Tables of published values, with commas."),
+      words("Reference/Rows", "",
+            "setup = row, with commas: set-ups that the tables call otherwise."),
   };
 }
 
@@ -220,7 +247,7 @@ void StudyText::refuse(std::string const& path, std::string_view problem) const 
 }
 
 std::string StudyText::needed(std::string const& path, std::string_view why) const {
-  auto const written = text(path);
+  auto written = text(path);
   VALIDATE(!written.empty(), fmt::format("{}: {} is not set ({}). Add 'set {} = ...'?", where(path),
                                          path, why, name_of(path)));
   return written;

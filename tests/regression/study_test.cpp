@@ -79,6 +79,18 @@ void expect_same(fs::path const& a, fs::path const& b) {
         << id;
 }
 
+/// The page, with the curves and final shapes of the finished runs; it is made anew by `report`.
+void expect_page(fs::path const& folder, std::string const& verdict) {
+  auto const page = coupling::read_file(folder / "report.html");
+  EXPECT_NE(page.find(verdict), std::string::npos);
+  for (auto const* part : {"\"upper_punch_force\":[", "\"mean_overlap\":[", "\"pixels\":\""})
+    EXPECT_NE(page.find(part), std::string::npos) << part;
+  fs::remove(folder / "report.html");
+  auto const again = run({"report", folder.string()});
+  EXPECT_EQ(again.status, 0) << again.error;
+  EXPECT_TRUE(coupling::read_file(folder / "report.html") == page);
+}
+
 void kill_at(std::vector<std::string> const& arguments, std::string const& progress) {
   program::Running running(arguments);
   ASSERT_TRUE(running.wait_for(progress));
@@ -94,6 +106,7 @@ TEST(StudyBatch, KilledTwiceEndsAsUndisturbed) {
   auto const straight = run(batch(study, scratch / "straight"));
   ASSERT_EQ(straight.status, 0) << straight.error;
   EXPECT_NE(straight.out.find("F [N]: linear model, 4 runs"), std::string::npos) << straight.out;
+  expect_page(scratch / "straight", "<strong>4 of 4 runs finished</strong>, 0 failed.");
   kill_at(batch(study, scratch / "killed"), "1 of 4 done");
   kill_at(batch(study, scratch / "killed"), "3 of 4 done");
   auto const last = run(batch(study, scratch / "killed"));
@@ -132,6 +145,7 @@ TEST(StudyBatch, ListsFailedRunsAndDoesTheRest) {
   EXPECT_NE(first.out.find("2 of 4 runs done, 2 failed"), std::string::npos) << first.out;
   EXPECT_NE(first.error.find("E20_G0.01 failed: "), std::string::npos) << first.error;
   EXPECT_NE(first.error.find("overlap"), std::string::npos) << first.error;
+  expect_page(scratch / "out", "<li>E20_G0.01: failed, ");
   EXPECT_EQ(run(batch(study, scratch / "out")).status, 1);
   EXPECT_EQ(state(scratch / "out", "E20_G0.01").at("attempts"), 1);
   EXPECT_EQ(run(batch(study, scratch / "out", {"--retry"})).status, 1);
@@ -160,6 +174,7 @@ TEST(StudyBatch, RunByRunIsTheSame) {
   auto const collected = run(batch(study, scratch / "array", {"--collect"}));
   EXPECT_EQ(collected.status, 0) << collected.error;
   EXPECT_NE(collected.out.find("4 of 4 runs done"), std::string::npos) << collected.out;
+  expect_page(scratch / "array", "<strong>4 of 4 runs finished</strong>");
   expect_same(scratch / "straight", scratch / "array");
 }
 

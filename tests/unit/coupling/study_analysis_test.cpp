@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cmath>
 
 namespace coupling::study {
 namespace {
@@ -93,11 +94,58 @@ TEST(StudyAnalysis, IsKeptBesideTheResults) {
             std::string::npos);
 }
 
+// Share, index and coarse sizes are those of the plan; a force is no porosity.
+TEST(StudyAnalysis, MakesThePackingFormOfThePlan) {
+  std::vector<double> const sizes{0.2e-3, 0.3e-3}, porosities{0.3, 0.35};
+  ExtrapolationPlan wanted{
+      .factor = "D", .value = 1e-4, .responses = {}, .forms = {"linear", "packing_model"}};
+  wanted.packing = {.fine_share = 0.3, .compaction_index = 4.1, .coarse = {}};
+  std::vector<std::string> left_out;
+  Eigen::VectorXd const free{{0.7, std::log(2e-3)}}, one = free.head(1);
+  auto forms = trend_forms(wanted, sizes, porosities, left_out);
+  ASSERT_EQ(forms.size(), 2u);
+  EXPECT_EQ(forms[1].value(free, 1e-4), packing_form(0.3, 4.1, 0.3e-3).value(free, 1e-4));
+  EXPECT_EQ(forms[1].low[1], std::log(0.3e-3)); // the coarse size is no finer than the fines
+  wanted.packing.coarse = {{1e-3, 0.4}, {2e-3, 0.6}};
+  forms = trend_forms(wanted, sizes, porosities, left_out);
+  EXPECT_EQ(forms[1].value(one, 1e-4),
+            packing_form({{1e-3, 0.4, 0.5}, {2e-3, 0.6, 0.5}}, 0.3, 4.1).value(one, 1e-4));
+  EXPECT_TRUE(left_out.empty());
+  EXPECT_EQ(trend_forms(wanted, sizes, {1500.0, 1600.0}, left_out).size(), 1u);
+  ASSERT_EQ(left_out.size(), 1u);
+  EXPECT_EQ(left_out[0], "packing model: a response is no porosity (between 0 and 1)");
+}
+
+// With CED free, too, the region of E and CED stands in study.json, and ends at the bound of CED.
+TEST(StudyAnalysis, KeepsTheJointRegion) {
+  support::ScratchFolder const folder;
+  auto text = read_file(PRESSCHECK_SOURCE_DIR "/cases/seed-study/calibration-liggghts.prm");
+  for (auto at = text.find("../"); at != std::string::npos; at = text.find("../"))
+    text.replace(at, 3, PRESSCHECK_SOURCE_DIR "/cases/");
+  std::string const held = "  set Held = CED = 7e6 J/m^3\n";
+  text.erase(text.find(held), held.size());
+  support::put_bytes(folder / "study.prm", text);
+  auto const table = results(folder / "study.prm");
+  write_results(table, folder.path());
+  write_analysis(analyse(table), table.study, folder.path());
+  auto const json = nlohmann::json::parse(read_file(folder / "study.json"));
+  auto const& region = json.at("analysis").at("calibration").at("region").at(0);
+  EXPECT_EQ(region.at("factors"), (std::vector<std::string>{"E", "CED"}));
+  // chi^2 = 57.58 at the best point, and 5.99 more.
+  EXPECT_NEAR(region.at("chi_squared").get<double>(), 57.58 + 5.9915, 0.01);
+  ASSERT_EQ(region.at("lines").size(), 1u);
+  auto const& line = region.at("lines").at(0);
+  EXPECT_EQ(line.front().at(1), 7e6);
+  EXPECT_EQ(line.back().at(1), 7e6);
+  for (auto const& point : line)
+    EXPECT_NEAR(point.at(0).get<double>(), 2230e6, 15e6);
+}
+
 // Known before a run is made: three runs do not hold the six terms of two factors.
 TEST(StudyAnalysis, RefusesADesignThatDoesNotHoldItsModel) {
   support::ScratchFolder const folder;
   auto const study = [&](std::string const& model, std::string const& levels) {
-    auto const file = folder / "study.prm";
+    auto file = folder / "study.prm";
     support::put_bytes(
         file, "set Case = " PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm\nset Model = " + model +
                   "\nsubsection Design\n  set Kind = full_factorial\nend\n"

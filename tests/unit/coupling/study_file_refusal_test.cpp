@@ -22,7 +22,8 @@ TEST_F(StudyRefused, ForItsEntries) {
   EXPECT_EQ(
       refusal("subsection Desing\nend\n"),
       "study.prm:1: subsection Desing: is no section of a study (there are: Calibration, Case "
-      "entries, Cost, Design, Extrapolation, Factor #, Response #). Did you mean 'Design'?");
+      "entries, Cost, Design, Extrapolation, Factor #, Reference, Response #). Did you mean "
+      "'Design'?");
   EXPECT_EQ(refusal("subsection Factor 1\nset Nam = E\nend\n"),
             "study.prm:2: Factor 1/Nam = E: is no entry of a study. Did you mean 'Factor 1/Name'?");
   EXPECT_EQ(
@@ -142,6 +143,63 @@ TEST_F(StudyRefused, ForWhatTheFitWasToUse) {
   EXPECT_EQ(refusal(full + "subsection Extrapolation\nset Factor = E\nend\n"),
             "study.prm: Extrapolation/Value is not set (where to extrapolate to). Add 'set Value = "
             "...'?");
+}
+
+TEST_F(StudyRefused, ForTheFormsOfAnExtrapolation) {
+  auto const carried = design("set Kind = full_factorial\n") + factor_E() + response() +
+                       "subsection Extrapolation\nset Factor = E\nset Value = 40 MPa\n";
+  EXPECT_EQ(refusal(carried + "set Forms = linear, packing\nend\n"),
+            "study.prm:18: Extrapolation/Forms = linear, packing: 'packing' is no form (there are: "
+            "linear, quadratic, logarithmic, power, packing_model). Which one is meant?");
+  EXPECT_EQ(refusal(carried + "set Forms = linear, linear\nend\n"),
+            "study.prm:18: Extrapolation/Forms = linear, linear: names 'linear' twice. Name it "
+            "once?");
+  EXPECT_EQ(
+      refusal(carried + "set Fine share = 20 %\nend\n"),
+      "study.prm:18: Extrapolation/Fine share = 20 %: is not used (packing_model is not among "
+      "Extrapolation/Forms). Add it there?");
+  EXPECT_EQ(refusal(carried + "set Forms = packing_model\nend\n"),
+            "study.prm: Extrapolation/Fine share is not set (packing_model mixes fines and coarse "
+            "grains). Add 'set Fine share = ...'?");
+  EXPECT_EQ(refusal(carried + "set Forms = packing_model\nset Fine share = 120 %\nend\n"),
+            "study.prm:19: Extrapolation/Fine share = 120 %: is outside the allowed range (> 0, < "
+            "1). Choose a value inside it?");
+  EXPECT_EQ(refusal(carried + "set Forms = packing_model\nset Fine share = 20 %\n"
+                              "set Coarse sizes = 1 mm: 60 %, 2 mm: 30 %\nend\n"),
+            "study.prm:20: Extrapolation/Coarse sizes = 1 mm: 60 %, 2 mm: 30 %: has shares that "
+            "make 90 % (the coarse grains are 100 %). Is a class missing?");
+}
+
+TEST_F(StudyRefused, ForItsCostAndItsReferences) {
+  auto const full = design("set Kind = full_factorial\n") + factor_E() + response();
+  EXPECT_EQ(refusal(full + "subsection Cost\nset Predict at = 1\nend\n"),
+            "study.prm:16: Cost/Predict at = 1: is not used (Cost/Factor is empty). Name the "
+            "factor?");
+  EXPECT_EQ(refusal(full + "subsection Cost\nset Factor = grain\nend\n"),
+            "study.prm:16: Cost/Factor = grain: 'grain' is no factor of this study. Which one is "
+            "meant?");
+  EXPECT_EQ(refusal(full + "subsection Cost\nset Factor = grains\nset Predict at = 1e5, 0\nend\n"),
+            "study.prm:17: Cost/Predict at = 1e5, 0: '0' is not above 0 (a power law has no value "
+            "there). Which size is meant?");
+  EXPECT_EQ(refusal(full + "subsection Cost\nset Factor = E\nset Predict at = 4 mm\nend\n"),
+            "study.prm:17: Cost/Predict at = 4 mm: '4 mm' has a unit that does not fit (a modulus "
+            "or pressure is needed). Write it in Pa, kPa, MPa, GPa?");
+  EXPECT_EQ(refusal(full + "subsection Reference\nset Tables = results.csv, other.csv\nend\n"),
+            "study.prm:16: Reference/Tables = results.csv, other.csv: is no file (looked for "
+            "other.csv; paths start at the study file). Is it misspelt?");
+  EXPECT_EQ(refusal(full + "subsection Reference\nset Rows = a = b\nend\n"),
+            "study.prm:16: Reference/Rows = a = b: is not used (Reference/Tables is empty). Name "
+            "the tables?");
+  auto const targeted = design("set Kind = full_factorial\n") + factor_E() +
+                        response("set Target = 1 kN\nset Observed = 1 kN\n");
+  EXPECT_EQ(
+      refusal(targeted),
+      "study.prm:15: Response 1/Observed = 1 kN: is not used (Target says what was measured). "
+      "Remove one of the two?");
+  EXPECT_EQ(refusal(design("set Kind = full_factorial\n") + factor_E() +
+                    response("set Reference scale = 0\n")),
+            "study.prm:14: Response 1/Reference scale = 0: is outside the allowed range (> 0). "
+            "Choose a value inside it?");
 }
 
 } // namespace
