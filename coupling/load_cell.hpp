@@ -19,23 +19,33 @@ class LoadCell {
 public:
   explicit LoadCell(LoadCellErrors errors = {}) : errors_(errors) {}
 
-  /// After every step of dt [s]: the force [N] is taken as constant in it.
+  /// After every step of dt [s], at whose end the force is `force` [N]; exact for a force that went
+  /// there on a straight line from the last one:
+  ///   y_1 = F_1 - c tau + (y_0 - F_0 + c tau) exp(-dt / tau),  c = (F_1 - F_0) / dt
   void step_done(double force, double dt) {
     time_ += dt;
-    felt_ += errors_.lag > 0.0 ? -std::expm1(-dt / errors_.lag) * (force - felt_) : force - felt_;
+    if (errors_.lag > 0.0 && dt > 0.0) {
+      double const behind = (force - force_) / dt * errors_.lag;
+      felt_ = force - behind + (felt_ - force_ + behind) * std::exp(-dt / errors_.lag);
+    } else {
+      felt_ = force;
+    }
+    force_ = force;
   }
 
   double reading() const { return errors_.gain * felt_ + errors_.offset + errors_.drift * time_; }
 
   template <class Field> void visit_state(Field&& field) {
+    field("load_cell/force", force_);
     field("load_cell/felt", felt_);
     field("load_cell/time", time_);
   }
 
 private:
   LoadCellErrors errors_;
-  double felt_ = 0.0; // [N], y
-  double time_ = 0.0; // [s]
+  double force_ = 0.0; // [N], at the last step
+  double felt_ = 0.0;  // [N], y
+  double time_ = 0.0;  // [s]
 };
 
 } // namespace coupling
