@@ -28,7 +28,7 @@ public:
   VectorXd inside(VectorXd const& u) const { return u.cwiseMax(low_).cwiseMin(high_); }
 
   VectorXd predict(VectorXd const& u) const {
-    return predict_rows(comparison_.model, unknowns_.parameters(u), comparison_.target.size());
+    return predict_rows(*comparison_.model, unknowns_.parameters(u), comparison_.target.size());
   }
   VectorXd residual(VectorXd const& predicted) const {
     return comparison_.whitener.whiten(comparison_.target - predicted);
@@ -112,7 +112,7 @@ bool step_down(Search const& search, Unknowns const& unknowns, FitSettings const
 Fit fit_hypothesis(Comparison const& comparison, std::vector<int> const& active,
                    VectorXd const& start, FitSettings const& settings,
                    std::optional<HeldUnknown> held) {
-  Unknowns const unknowns(comparison.model, active, settings.size_priors);
+  Unknowns const unknowns(*comparison.model, active, settings.size_priors);
   Search const search(comparison, unknowns, settings, held);
   Fit fit = at_start(search, unknowns, start);
   double damping = 1e-4;
@@ -128,7 +128,7 @@ Fit fit_hypothesis(Comparison const& comparison, std::vector<int> const& active,
 
 Fit fit_baseline(Comparison const& comparison, FitSettings const& settings) {
   return fit_hypothesis(comparison, {},
-                        VectorXd::Zero(static_cast<Index>(comparison.model.calibrated().size())),
+                        VectorXd::Zero(static_cast<Index>(comparison.model->calibrated().size())),
                         settings);
 }
 

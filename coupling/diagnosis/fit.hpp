@@ -10,7 +10,7 @@ namespace coupling::diagnosis {
 
 /// Measured rows against a model under one error model.
 struct Comparison {
-  Model const& model;
+  Model const* model;     ///< outlives it
   Eigen::VectorXd target; ///< y - b, [n_rows]
   Whitener whitener;      ///< of Sigma
 };

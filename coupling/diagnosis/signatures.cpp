@@ -34,17 +34,17 @@ MatrixXd variants_of(Model const& model, Parameters const& at, int mechanism, In
 
 Signature signature_of(Comparison const& comparison, TangentSpace const& tangent,
                        Parameters const& at, int mechanism) {
-  auto const& one = comparison.model.mechanisms()[static_cast<std::size_t>(mechanism)];
+  auto const& one = comparison.model->mechanisms()[static_cast<std::size_t>(mechanism)];
   Signature found{.name = one.name,
                   .unit = one.unit,
                   .scale = one.scale,
                   .is_one_sided = one.is_one_sided,
                   .whitened = comparison.whitener.whiten(
-                      variants_of(comparison.model, at, mechanism, comparison.target.size())),
+                      variants_of(*comparison.model, at, mechanism, comparison.target.size())),
                   .projected = {},
                   .relative_error = 0.0};
   found.projected = tangent.project(found.whitened);
-  MatrixXd const root = comparison.model.signature_error(mechanism);
+  MatrixXd const root = comparison.model->signature_error(mechanism);
   double const norm = found.whitened.col(0).norm();
   if (root.size() > 0 && norm > 0.0)
     found.relative_error = one.scale * comparison.whitener.whiten(root).norm() / norm;
@@ -72,7 +72,7 @@ SignatureLibrary signature_library(Comparison const& comparison, Fit const& base
   SignatureLibrary library{TangentSpace(baseline.slopes), {}, {}};
   Parameters off = baseline.at;
   off.sizes.setZero();
-  for (int j = 0; j < static_cast<int>(comparison.model.mechanisms().size()); ++j)
+  for (int j = 0; j < static_cast<int>(comparison.model->mechanisms().size()); ++j)
     library.signatures.push_back(signature_of(comparison, library.tangent, off, j));
   VectorXd extended(library.tangent.n_extended());
   extended << baseline.residual, -baseline.unknowns;

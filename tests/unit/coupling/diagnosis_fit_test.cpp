@@ -16,7 +16,7 @@ Comparison compare(LinearModel const& model, std::uint64_t seed) {
   MatrixXd const S = random_covariance(seed, n);
   Whitener whitener(S, 1e-9);
   VectorXd const y = model.offset + 2.0 * whitener.unwhiten(normals(seed + 1, n, 1));
-  return {model, y, std::move(whitener)};
+  return {&model, y, std::move(whitener)};
 }
 
 /// The same in units of the priors: columns of theta (sd 2), then of the active (scale 1.5).
@@ -72,7 +72,7 @@ TEST(Fit, StaysInsideBoundsAndHoldsWhatIsHeld) {
   narrow.causes[0].low = -0.5 * std::abs(free.at.sizes[0]);
   narrow.causes[0].high = 0.5 * std::abs(free.at.sizes[0]);
   auto const held_back =
-      fit_hypothesis({narrow, data.target, data.whitener}, {0}, VectorXd::Zero(2));
+      fit_hypothesis({&narrow, data.target, data.whitener}, {0}, VectorXd::Zero(2));
   EXPECT_NEAR(held_back.at.sizes[0], 0.5 * free.at.sizes[0], 1e-12);
   auto const held = fit_hypothesis(data, {0}, VectorXd::Zero(2), {}, HeldUnknown{1, 0.7});
   EXPECT_NEAR(held.at.sizes[0], 0.7 * 1.5, 1e-14);
@@ -81,7 +81,7 @@ TEST(Fit, StaysInsideBoundsAndHoldsWhatIsHeld) {
   one_sided.causes[0].is_one_sided = true;
   one_sided.effects.col(0) *= free.at.sizes[0] > 0.0 ? -1.0 : 1.0;
   EXPECT_EQ(
-      fit_hypothesis({one_sided, data.target, data.whitener}, {0}, VectorXd::Ones(2)).at.sizes[0],
+      fit_hypothesis({&one_sided, data.target, data.whitener}, {0}, VectorXd::Ones(2)).at.sizes[0],
       0.0);
 }
 
@@ -94,7 +94,7 @@ TEST(Fit, FollowsACurveAndItsShape) {
                    .shapes = {{.name = "power", .unit = "", .mean = 1.0, .sd = 0.5}}}};
   // f = 3 k^1.4 + 20 with sd 1e-4: the priors do not count, three rows fix three unknowns
   VectorXd const y{{23.0, 20.0 + 3.0 * std::pow(2.0, 1.4), 20.0 + 3.0 * std::pow(3.0, 1.4)}};
-  Comparison const data{model, y, Whitener(1e-8 * MatrixXd::Identity(3, 3), 1e-9)};
+  Comparison const data{&model, y, Whitener(1e-8 * MatrixXd::Identity(3, 3), 1e-9)};
   auto const fit = fit_hypothesis(data, {0}, VectorXd::Zero(3));
   EXPECT_NEAR(fit.at.calibrated[0], 3.0, 1e-3);
   EXPECT_NEAR(fit.at.shapes[0][0], 1.4, 1e-3);
