@@ -37,10 +37,10 @@ Eigen::MatrixXd normal_draws(std::uint64_t seed, Eigen::Index n, int n_draws) {
 double log_normal_cdf(double x) {
   if (x > -30.0)
     return std::log(0.5 * std::erfc(-x / std::numbers::sqrt2));
-  // Abramowitz, Stegun 26.2.12, two terms: relative error below 15 / x^6
+  // Abramowitz, Stegun 26.2.12, three terms: relative error below 105 / x^8
   double const x2 = x * x;
   return -0.5 * x2 - std::log(-x * std::sqrt(2.0 * std::numbers::pi)) +
-         std::log1p(-1.0 / x2 + 3.0 / (x2 * x2));
+         std::log1p(-1.0 / x2 + 3.0 / (x2 * x2) - 15.0 / (x2 * x2 * x2));
 }
 
 } // namespace coupling::diagnosis

@@ -13,9 +13,9 @@ using namespace diagnosis_support;
 
 Comparison compare(LinearModel const& model, std::uint64_t seed) {
   auto const n = model.offset.size();
-  MatrixXd const S = random_covariance(seed, n);
+  MatrixXd const S = random_covariance(1000 * seed, n);
   Whitener whitener(S, 1e-9);
-  VectorXd const y = model.offset + 2.0 * whitener.unwhiten(normals(seed + 1, n, 1));
+  VectorXd const y = model.offset + 2.0 * whitener.unwhiten(normals(1000 * seed + 1, n, 1));
   return {&model, y, std::move(whitener)};
 }
 

@@ -42,9 +42,13 @@ struct ToyPress : Model {
       {.name = "wall_friction", .unit = "1", .scale = 0.06, .low = -0.15},
       {.name = "mass_error", .unit = "1", .scale = 0.015, .low = -0.2, .high = 0.2},
       {.name = "plastic_contacts", .unit = "1", .scale = 0.3, .is_one_sided = true, .high = 0.9},
-      {.name = "breakage", .unit = "1", .scale = 0.01, .is_one_sided = true, .high = 0.1,
-       .shapes = {{.name = "strength", .unit = "Pa", .mean = 25e6, .sd = 8e6, .low = 5e6,
-                   .high = 60e6}}}};
+      {.name = "breakage",
+       .unit = "1",
+       .scale = 0.01,
+       .is_one_sided = true,
+       .high = 0.1,
+       .shapes = {
+           {.name = "strength", .unit = "Pa", .mean = 25e6, .sd = 8e6, .low = 5e6, .high = 60e6}}}};
   std::vector<Scatter> repeats{{"mass", "1", 0.001}, {"fill", "1", 0.0004}, {"zero", "m", 4e-6}};
 
   std::vector<CalibratedParameter> const& calibrated() const override { return parameters; }
@@ -56,8 +60,13 @@ struct ToyPress : Model {
   };
 
   Powder powder(Parameters const& at) const {
-    return {at.calibrated[0], at.calibrated[1], phi_c + at.scatter[1], at.sizes[7],
-            at.shapes[7][0],  at.sizes[6],      0.2 + at.sizes[4],
+    return {at.calibrated[0],
+            at.calibrated[1],
+            phi_c + at.scatter[1],
+            at.sizes[7],
+            at.shapes[7][0],
+            at.sizes[6],
+            0.2 + at.sizes[4],
             mass * (1.0 + at.sizes[5]) * (1.0 + at.scatter[0]) / (density * area)};
   }
   static double loading(Powder const& p, double phi) {
