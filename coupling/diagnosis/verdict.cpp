@@ -89,17 +89,55 @@ std::vector<ParameterFinding> wrong_parameters(Findings const& findings,
   return found;
 }
 
-/// Causes by probability, until `rival` is reached; at least the first.
-std::vector<int> probable_causes(Selection const& selection, double rival) {
-  std::vector<int> order(static_cast<std::size_t>(selection.inclusion.size()));
-  for (std::size_t j = 0; j < order.size(); ++j)
-    order[j] = static_cast<int>(j);
-  auto const probability = [&](int j) { return selection.inclusion[j]; };
-  std::ranges::stable_sort(order, std::greater{}, probability);
-  auto const end =
-      std::ranges::find_if(order, [&](int j) { return selection.inclusion[j] < rival; });
-  order.erase(std::max(end, order.begin() + 1), order.end());
-  return order;
+bool contains(Fit const& fit, int mechanism) {
+  return std::ranges::count(fit.active, mechanism) > 0;
+}
+
+/// Whether `wider` is `fit` with one more cause.
+bool widens(Fit const& wider, Fit const& fit) {
+  return wider.active.size() == fit.active.size() + 1 &&
+         std::ranges::all_of(fit.active, [&](int j) { return contains(wider, j); });
+}
+
+/// Causes that stand in the place of one cause of the best hypothesis and fit nearly as well.
+std::vector<int> near_rivals(Selection const& selection, Fit const& best, int mechanism,
+                             double near) {
+  std::vector<int> rivals;
+  for (auto const& one : selection.hypotheses) {
+    if (one.fit.active.size() != best.active.size() || contains(one.fit, mechanism) ||
+        one.fit.objective() - best.objective() > near * selection.tempering)
+      continue;
+    std::vector<int> others;
+    for (int const j : one.fit.active)
+      if (!contains(best, j))
+        others.push_back(j);
+    if (others.size() == 1)
+      rivals.push_back(others.front());
+  }
+  return rivals;
+}
+
+/// Causes of the hypotheses that stay possible, the most probable first. A hypothesis that its own
+/// subset beats in evidence is left out: its last cause is a passenger.
+std::vector<int> possible_causes(Selection const& selection, double rival) {
+  double best = 0.0;
+  for (auto const& one : selection.hypotheses)
+    if (!one.fit.active.empty())
+      best = std::max(best, one.probability);
+  std::vector<int> causes;
+  for (auto const& one : selection.hypotheses) {
+    bool const is_carried = std::ranges::any_of(selection.hypotheses, [&](auto const& subset) {
+      return !subset.fit.active.empty() && widens(one.fit, subset.fit) &&
+             subset.log_evidence >= one.log_evidence;
+    });
+    if (one.fit.active.empty() || is_carried || one.probability < rival * best)
+      continue;
+    for (int const j : one.fit.active)
+      if (std::ranges::count(causes, j) == 0)
+        causes.push_back(j);
+  }
+  std::ranges::stable_sort(causes, std::greater{}, [&](int j) { return selection.inclusion[j]; });
+  return causes;
 }
 
 void decide_without_alarm(Findings const& findings, Verdict& verdict) {
@@ -136,7 +174,10 @@ void name_causes(Findings const& findings, Fit const& fit, VerdictRules const& r
     }
     if (selection.inclusion[j] * some < rules.naming)
       continue;
-    auto const rivals = rivals_of(findings, fit, j, rules.indistinct);
+    auto rivals = rivals_of(findings, fit, j, rules.indistinct);
+    for (int const near : near_rivals(selection, fit, j, rules.near_objective))
+      if (std::ranges::count(rivals, near) == 0)
+        rivals.push_back(near);
     if (rivals.empty()) {
       verdict.causes.push_back(j);
       continue;
@@ -172,7 +213,7 @@ void decide_on_alarm(Findings const& findings, VerdictRules const& rules, Verdic
   }
   verdict.kind = VerdictKind::undecided;
   if (verdict.group.empty())
-    verdict.group = probable_causes(findings.selection, rules.rival);
+    verdict.group = possible_causes(findings.selection, rules.rival);
 }
 
 } // namespace

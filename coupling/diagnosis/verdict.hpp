@@ -18,13 +18,15 @@ std::string_view name_of(VerdictKind kind);
 
 /// Where one verdict ends and the next begins. Source: diagnosis note 2c to 2e.
 struct VerdictRules {
-  double naming = 0.9;      ///< probability from which a cause is named
-  double rival = 0.05;      ///< probability from which a cause belongs to an undecided group
-  double indistinct = 2.0;  ///< Delta below which a rival is possible whatever its probability
-  double failing_sds = 4.0; ///< chi^2 above its expectation from which a hypothesis has failed
-  double explained = 0.9;   ///< share of the misfit above which a failed hypothesis still names
-  double prior_sds = 3.0;   ///< a calibrated parameter that far from its sheet is a finding
-  double gate_errors = 2.0; ///< standard errors by which a name must win on held-out runs
+  double naming = 0.9; ///< probability from which a cause is named
+  double rival = 0.05; ///< probability over the best's from which a hypothesis stays possible
+  double near_objective = 6.0; ///< a rival in a cause's place that fits so nearly as well (chi^2
+                               ///< and priors, over S) stays possible, however wide its prior
+  double indistinct = 2.0;     ///< Delta below which a rival is possible whatever its probability
+  double failing_sds = 4.0;    ///< chi^2 above its expectation from which a hypothesis has failed
+  double explained = 0.9;      ///< share of the misfit above which a failed hypothesis still names
+  double prior_sds = 3.0;      ///< a calibrated parameter that far from its sheet is a finding
+  double gate_errors = 2.0;    ///< standard errors by which a name must win on held-out runs
   double largest_printed = 0.97; ///< probabilities are printed at most so large until calibrated
 };
 
@@ -58,9 +60,12 @@ struct Findings {
 
 /// No alarm: consistent, or a parameter's value. An alarm: the most probable set of causes,
 /// - unknown if it fails and explains too little, or if "none" is more probable and T1 alarms;
-/// - its causes of probability >= naming that exceed null_multiple null sizes and have no
-///   indistinct rival: named, incomplete if it fails or a part of it cannot be named;
+/// - its causes of probability >= naming that exceed null_multiple null sizes and have no rival
+///   (indistinct by Delta, or near by its own fit): named, incomplete if the hypothesis fails or a
+///   part of it cannot be named;
 /// - undecided otherwise, with the group of the possible causes.
+/// The rule of the near fit is there because evidence pays for the width of a prior: of two causes
+/// that fit alike, the one with the narrower prior is more probable, which is no measurement.
 Verdict decide(Findings const& findings, VerdictRules const& rules = {});
 
 /// A named cause that does not beat the calibrated baseline on runs that were left out is not

@@ -158,6 +158,14 @@ struct ToyPress : Model {
   }
 };
 
+/// The same with a modulus that the case fixes: its departure is a cause like any other.
+inline ToyPress with_fixed_modulus(ToyPress press) {
+  press.parameters[0].sd = 1e-6;
+  press.parameters[0].name = "modulus_of_the_case";
+  press.causes.push_back({.name = "young_modulus", .unit = "1", .scale = 0.15, .low = -0.8});
+  return press;
+}
+
 inline ErrorSources toy_errors() {
   return {.channels = {{.channel = "upper_punch_force", .sd = 10.0, .has_kink = true},
                        {.channel = "lower_punch_force", .sd = 10.0, .has_kink = true},
@@ -197,6 +205,20 @@ inline std::vector<std::string> names_of(ToyPress const& press, std::vector<int>
     names.push_back(press.causes[static_cast<std::size_t>(j)].name);
   std::ranges::sort(names);
   return names;
+}
+
+inline Diagnosis diagnose_hidden(ToyPress const& press, HiddenTruth const& truth,
+                                 std::uint64_t seed) {
+  return diagnose(hidden_data(press, truth, seed), press, toy_errors());
+}
+
+/// Detectability of each mechanism, per prior scale.
+inline std::vector<double> detectabilities(ToyPress const& press) {
+  auto const found = diagnose_hidden(press, {}, 1);
+  std::vector<double> all;
+  for (auto const& one : found.library.signatures)
+    all.push_back(one.detectability());
+  return all;
 }
 
 } // namespace diagnosis_support
