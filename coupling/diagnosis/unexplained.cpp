@@ -108,14 +108,23 @@ struct Misfit {
   }
 };
 
+/// What the polynomial of an input takes beyond its constant, which says nothing of the input.
 InputDependence dependence_on(RowInput const& input, std::vector<Index> const& rows,
                               Misfit const& misfit, MatrixXd const& draws) {
-  MatrixXd const Q =
-      basis_of(misfit.comparison, misfit.library.tangent, polynomial_columns(input, rows));
-  double const reduction = (Q.transpose() * misfit.library.residual).squaredNorm();
-  VectorXd const reference = (Q.transpose() * draws).colwise().squaredNorm();
-  return {input.name, misfit.share(reduction, Q.cols()),
-          Reference({reference.begin(), reference.end()}).tail_p(reduction)};
+  MatrixXd const columns = polynomial_columns(input, rows);
+  auto const& tangent = misfit.library.tangent;
+  MatrixXd const all = basis_of(misfit.comparison, tangent, columns);
+  MatrixXd const level = basis_of(misfit.comparison, tangent, columns.leftCols(1));
+  auto const taken = [&](MatrixXd const& of) -> VectorXd {
+    return (all.transpose() * of).colwise().squaredNorm() -
+           (level.transpose() * of).colwise().squaredNorm();
+  };
+  double const reduction = taken(misfit.library.residual)[0];
+  VectorXd const reference = taken(draws);
+  return {input.name, misfit.share(reduction, all.cols() - level.cols()),
+          all.cols() == level.cols()
+              ? 1.0
+              : Reference({reference.begin(), reference.end()}).tail_p(reduction)};
 }
 
 /// Fits a form and keeps it if it is the best of its kind in its input.

@@ -14,7 +14,7 @@ struct RowInput {
 /// How much of the misfit goes with one input, whatever the form.
 struct InputDependence {
   std::string input;
-  double share; ///< of the misfit in the channel, 0 to 1
+  double share; ///< of the misfit in the channel beyond a constant, 0 to 1
   double p;     ///< of so large a share when nothing is wrong
 };
 

@@ -117,8 +117,8 @@ std::vector<int> near_rivals(Selection const& selection, Fit const& best, int me
   return rivals;
 }
 
-/// Causes of the hypotheses that stay possible, the most probable first. A hypothesis that its own
-/// subset beats in evidence is left out: its last cause is a passenger.
+/// Causes of the hypotheses that stay possible, the most probable first. A hypothesis less probable
+/// than a subset of its own is left out: its last cause is a passenger.
 std::vector<int> possible_causes(Selection const& selection, double rival) {
   double best = 0.0;
   for (auto const& one : selection.hypotheses)
@@ -128,7 +128,7 @@ std::vector<int> possible_causes(Selection const& selection, double rival) {
   for (auto const& one : selection.hypotheses) {
     bool const is_carried = std::ranges::any_of(selection.hypotheses, [&](auto const& subset) {
       return !subset.fit.active.empty() && widens(one.fit, subset.fit) &&
-             subset.log_evidence >= one.log_evidence;
+             subset.probability >= one.probability;
     });
     if (one.fit.active.empty() || is_carried || one.probability < rival * best)
       continue;

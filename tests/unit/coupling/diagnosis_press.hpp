@@ -60,7 +60,8 @@ struct ToyPress : Model {
   };
 
   Powder powder(Parameters const& at) const {
-    return {at.calibrated[0],
+    double const stiffer = at.sizes.size() > 8 ? 1.0 + at.sizes[8] : 1.0;
+    return {stiffer * at.calibrated[0],
             at.calibrated[1],
             phi_c + at.scatter[1],
             at.sizes[7],
