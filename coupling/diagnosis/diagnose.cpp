@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace coupling::diagnosis {
 namespace {
 
@@ -58,12 +60,13 @@ Fit const& best_fit(Selection const& selection) {
   return selection.hypotheses.front().fit;
 }
 
-std::vector<CauseEstimate> estimate(Selected const& selected) {
+std::vector<CauseEstimate> estimate(Selected const& selected, double largest_printed) {
   std::vector<CauseEstimate> all;
   auto const& fit = best_fit(selected.selection);
+  double const some = 1.0 - selected.selection.probability_of_none;
   for (int const j : fit.active)
     all.push_back(
-        {j, selected.selection.inclusion[j] * (1.0 - selected.selection.probability_of_none),
+        {j, std::min(selected.selection.inclusion[j] * some, largest_printed),
          size_interval(selected.weighed.comparison, fit, j, selected.selection.tempering)});
   return all;
 }
@@ -100,8 +103,9 @@ Diagnosis diagnose(Observations const& observations, Model const& model,
                          .null_sizes = sources.null_sizes,
                          .null_multiple = sources.tolerances.null_multiple},
                         settings.rules);
-  auto estimates =
-      selected.selection.hypotheses.empty() ? std::vector<CauseEstimate>{} : estimate(selected);
+  auto estimates = selected.selection.hypotheses.empty()
+                       ? std::vector<CauseEstimate>{}
+                       : estimate(selected, settings.rules.largest_printed);
   return {.errors = errors,
           .baseline = baseline,
           .tests = tests,

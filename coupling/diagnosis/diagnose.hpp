@@ -21,7 +21,7 @@ struct Detectable {
 
 struct CauseEstimate {
   int mechanism;
-  double probability; ///< P(not none) p_j
+  double probability; ///< P(not none) p_j, at most VerdictRules::largest_printed
   SizeInterval size;
 };
 

@@ -257,6 +257,17 @@ TEST(Selection, FindsTwoAndThreeCausesAndFeelsItsSettings) {
                     {.n_screened = 2, .huge_share = 1e9, .n_bases = 1, .n_partners = 2});
   EXPECT_EQ(count(fewer, 1), 2);
   EXPECT_EQ(count(fewer, 2), 2);
+  EXPECT_GT(
+      count(select_causes(bench.comparison, baseline, library, 38.0, 8.7, {.failing_sds = -100.0}),
+            3),
+      0);
+  // 0.1 over the 28 pairs, or what is said instead.
+  EXPECT_NEAR(two.best().log_prior, std::log(0.1 / 28.0), 1e-12);
+  EXPECT_NEAR(select_causes(bench.comparison, baseline, library, 38.0, 8.7,
+                            {.prior_shares = {0.5, 0.3, 0.2, 0.02}})
+                  .best()
+                  .log_prior,
+              std::log(0.2 / 28.0), 1e-12);
   bench.comparison.target += 5.0 * bench.model.effects.col(4);
   auto const base = bench.fit({});
   auto const three = select_causes(bench.comparison, base,

@@ -74,6 +74,11 @@ TEST(Fit, StaysInsideBoundsAndHoldsWhatIsHeld) {
   auto const held_back =
       fit_hypothesis({&narrow, data.target, data.whitener}, {0}, VectorXd::Zero(2));
   EXPECT_NEAR(held_back.at.sizes[0], 0.5 * free.at.sizes[0], 1e-12);
+  auto const baseline = fit_baseline(data);
+  LinearModel near = model; // the parameter may go half its way from 0.5
+  double const half = 0.5 * (0.5 + baseline.at.calibrated[0]);
+  (half > 0.5 ? near.parameters[0].high : near.parameters[0].low) = half;
+  EXPECT_NEAR(fit_baseline({&near, data.target, data.whitener}).at.calibrated[0], half, 1e-12);
   auto const held = fit_hypothesis(data, {0}, VectorXd::Zero(2), {}, HeldUnknown{1, 0.7});
   EXPECT_NEAR(held.at.sizes[0], 0.7 * 1.5, 1e-14);
   EXPECT_GT(held.objective(), free.objective());
@@ -100,6 +105,14 @@ TEST(Fit, FollowsACurveAndItsShape) {
   EXPECT_NEAR(fit.at.shapes[0][0], 1.4, 1e-3);
   EXPECT_NEAR(fit.at.sizes[0], 20.0, 1e-2);
   EXPECT_NEAR(fit.unknowns[0], std::log(1.5) / 0.5, 1e-3);
+  EXPECT_TRUE(fit.has_come_to_rest);
+  auto const cut_short = fit_hypothesis(data, {0}, VectorXd::Zero(3), {.most_steps = 1});
+  EXPECT_FALSE(cut_short.has_come_to_rest);
+  EXPECT_GT(cut_short.objective(), fit.objective());
+  auto const content = fit_hypothesis(data, {0}, VectorXd::Zero(3), {.least_fall = 1e3});
+  EXPECT_GT(content.objective(), fit.objective() + 1e-6);
+  auto const coarse = fit_hypothesis(data, {0}, VectorXd::Zero(3), {.difference = 0.1});
+  EXPECT_NE(coarse.slopes, fit.slopes);
 }
 
 TEST(Unknowns, PriorsAreTheNegativeLogarithmsOfTheirDensities) {

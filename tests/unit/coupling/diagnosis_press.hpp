@@ -210,7 +210,8 @@ inline std::vector<std::string> names_of(ToyPress const& press, std::vector<int>
 
 inline Diagnosis diagnose_hidden(ToyPress const& press, HiddenTruth const& truth,
                                  std::uint64_t seed) {
-  return diagnose(hidden_data(press, truth, seed), press, toy_errors());
+  return diagnose(hidden_data(press, truth, seed), press, toy_errors(),
+                  {.misfit = {.n_draws = 999, .seed = seed + 1}});
 }
 
 /// Detectability of each mechanism, per prior scale.

@@ -38,6 +38,7 @@ TEST(Verdict, CannotTellAGainFromAModulusByOneForce) {
     auto const found = diagnose_hidden(press, truth, 501);
     EXPECT_EQ(found.verdict.kind, VerdictKind::undecided);
     EXPECT_EQ(names_of(press, found.verdict.group), (Names{"force_gain", "young_modulus"}));
+    EXPECT_LT(found.estimates[0].probability, 0.9);
   }
   // The lower punch, whose cell is another, tells them apart.
   press.gauges = Gauges::all;
@@ -130,6 +131,25 @@ TEST(Verdict, DoesNotClaimWhatCleanDataShow) {
   EXPECT_EQ(std::ranges::count(diagnose(data, press, errors).verdict.causes, 4), 0);
 }
 
+TEST(Verdict, AsksForAMultipleOfTheSizesOfCleanData) {
+  ToyPress const press;
+  auto const found = diagnose_hidden(press, {.sizes = {{"wall_friction", 0.5}}}, 504);
+  VectorXd null_sizes = VectorXd::Zero(8);
+  null_sizes[4] = 0.3 * 0.06;
+  auto const causes = [&](double multiple) {
+    return decide({.model = press,
+                   .baseline = found.baseline_in_common,
+                   .tests = found.tests,
+                   .selection = found.selection,
+                   .library = found.library,
+                   .null_sizes = null_sizes,
+                   .null_multiple = multiple})
+        .causes;
+  };
+  EXPECT_EQ(causes(1.0), std::vector{4});
+  EXPECT_TRUE(causes(3.0).empty());
+}
+
 TEST(Verdict, LearnsTheSizesOfCleanData) {
   ToyPress const press;
   auto const data = hidden_data(press, {}, 505);
@@ -201,6 +221,20 @@ TEST(Verdict, FeelsItsRules) {
   EXPECT_EQ(kind_with({.naming = 1.1}), VerdictKind::undecided);
   EXPECT_EQ(kind_with({.indistinct = 1e3}), VerdictKind::undecided);
   EXPECT_EQ(kind_with({.failing_sds = -10.0, .explained = 1.1}), VerdictKind::unknown);
+  auto const failed =
+      diagnose(data, press, toy_errors(), {.rules = {.failing_sds = -10.0, .explained = 0.0}});
+  EXPECT_EQ(failed.verdict.kind, VerdictKind::named);
+  EXPECT_TRUE(failed.verdict.is_incomplete);
+  EXPECT_FALSE(diagnose(data, press, toy_errors()).verdict.is_incomplete);
+  EXPECT_EQ(failed.estimates[0].probability, 0.97);
+  EXPECT_EQ(diagnose(data, press, toy_errors(), {.rules = {.largest_printed = 0.9}})
+                .estimates[0]
+                .probability,
+            0.9);
+  // Without an iteration the cause's form slack is not in the common Sigma.
+  EXPECT_LT(diagnose(data, press, toy_errors(), {.n_iterations = 0})
+                .comparison.whitener.log_determinant(),
+            failed.comparison.whitener.log_determinant());
   // young_modulus is 0.4 prior sds off: a finding only if so little is asked.
   EXPECT_TRUE(diagnose(data, press, toy_errors()).verdict.parameters.empty());
   EXPECT_FALSE(diagnose(data, press, toy_errors(), {.rules = {.prior_sds = 0.2}})
