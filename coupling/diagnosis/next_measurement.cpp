@@ -1,0 +1,104 @@
+#include "coupling/diagnosis/next_measurement.hpp"
+
+#include "dem/expect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+namespace coupling::diagnosis {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+void validate(CandidateMeasurement const& one, Index n_calibrated, Index n_mechanisms) {
+  auto const n = one.baseline.size();
+  VALIDATE(one.cost > 0.0, fmt::format("{}: costs {:g} (a cost is positive). What does it take?",
+                                       one.name, one.cost));
+  VALIDATE(n > 0 && one.calibrated.rows() == n && one.calibrated.cols() == n_calibrated &&
+               one.effects.rows() == n && one.effects.cols() == n_mechanisms &&
+               one.covariance.rows() == n && one.covariance.cols() == n,
+           fmt::format("{}: has {} rows, but changes or covariances of other sizes ({} calibrated "
+                       "parameters, {} mechanisms). Was it made for this model?",
+                       one.name, n, n_calibrated, n_mechanisms));
+}
+
+/// The library with the candidate's rows below the measured ones.
+SignatureLibrary widened(SignatureLibrary const& library, Fit const& baseline,
+                         CandidateMeasurement const& extra) {
+  Whitener const whitener(extra.covariance, Tolerances{}.largest_jitter);
+  auto const n = library.tangent.n_rows(), k = extra.baseline.size();
+  MatrixXd slopes(n + k, baseline.slopes.cols());
+  slopes << baseline.slopes, whitener.whiten(extra.calibrated);
+  SignatureLibrary wide{TangentSpace(slopes), library.signatures, {}};
+  MatrixXd const effects = whitener.whiten(extra.effects);
+  for (std::size_t j = 0; j < wide.signatures.size(); ++j) {
+    MatrixXd rows(n + k, library.signatures[j].whitened.cols());
+    rows.topRows(n) = library.signatures[j].whitened;
+    rows.bottomRows(k) = effects.col(static_cast<Index>(j)).replicate(1, rows.cols());
+    wide.signatures[j].whitened = rows;
+    wide.signatures[j].projected = wide.tangent.project(rows);
+  }
+  return wide;
+}
+
+double least_separation(SignatureLibrary const& library,
+                        std::vector<PossibleCause> const& possible) {
+  double least = no_bound;
+  for (auto const& one : possible)
+    for (auto const& rival : possible) {
+      if (one.mechanism == rival.mechanism)
+        continue;
+      auto const& own = library.signatures[static_cast<std::size_t>(one.mechanism)];
+      least = std::min(
+          least, separation(one.fit.at.sizes[one.mechanism] / own.scale * own.projected.col(0),
+                            library.signatures[static_cast<std::size_t>(rival.mechanism)]));
+    }
+  return least;
+}
+
+PredictedOutcome outcome_of(CandidateMeasurement const& extra, Fit const& baseline,
+                            SignatureLibrary const& library, PossibleCause const& cause) {
+  double const u = cause.fit.at.sizes[cause.mechanism] /
+                   library.signatures[static_cast<std::size_t>(cause.mechanism)].scale;
+  VectorXd const moved = cause.fit.unknowns.head(baseline.unknowns.size()) - baseline.unknowns;
+  return {cause.mechanism,
+          extra.baseline + extra.calibrated * moved + u * extra.effects.col(cause.mechanism),
+          extra.covariance.diagonal().cwiseSqrt()};
+}
+
+} // namespace
+
+std::vector<MeasurementAdvice>
+next_measurements(Fit const& baseline, SignatureLibrary const& library,
+                  std::vector<PossibleCause> const& possible,
+                  std::vector<CandidateMeasurement> const& candidates) {
+  VALIDATE(
+      possible.size() >= 2,
+      fmt::format("next measurement: {} causes are possible (two are needed to be told apart). "
+                  "Is the verdict undecided?",
+                  possible.size()));
+  std::vector<MeasurementAdvice> advice;
+  for (auto const& one : candidates) {
+    validate(one, baseline.unknowns.size(), static_cast<Index>(library.signatures.size()));
+    double const after = least_separation(widened(library, baseline, one), possible);
+    advice.push_back({.name = one.name,
+                      .unit = one.unit,
+                      .cost = one.cost,
+                      .before = least_separation(library, possible),
+                      .after = after,
+                      .is_enough = after >= separable,
+                      .outcomes = {}});
+    for (auto const& cause : possible)
+      advice.back().outcomes.push_back(outcome_of(one, baseline, library, cause));
+  }
+  std::ranges::stable_sort(advice, std::greater{}, [](MeasurementAdvice const& one) {
+    return std::pair(one.is_enough, one.after / one.cost);
+  });
+  return advice;
+}
+
+} // namespace coupling::diagnosis

@@ -1,0 +1,51 @@
+#pragma once
+
+#include "coupling/diagnosis/identifiability.hpp"
+#include "coupling/diagnosis/tolerances.hpp"
+
+#include <string>
+
+namespace coupling::diagnosis {
+
+/// A measurement that could be made, as further rows: another gauge, a dwell, another speed or
+/// height, a balance.
+struct CandidateMeasurement {
+  std::string name, unit;
+  double cost;              ///< > 0, any unit that is the same for all
+  Eigen::VectorXd baseline; ///< prediction of the fitted baseline, [n] [unit]
+  Eigen::MatrixXd
+      calibrated; ///< change by one prior sd of each calibrated parameter, n x n_calibrated
+  Eigen::MatrixXd effects;    ///< change by one prior scale of each mechanism, n x n_mechanisms
+  Eigen::MatrixXd covariance; ///< of its rows, all errors, n x n
+};
+
+/// A cause that is still possible, refitted alone.
+struct PossibleCause {
+  int mechanism;
+  Fit fit;
+};
+
+struct PredictedOutcome {
+  int mechanism;
+  Eigen::VectorXd value, sd; ///< [n] [unit]
+};
+
+struct MeasurementAdvice {
+  std::string name, unit;
+  double cost;
+  double before, after;                   ///< least Delta over the pairs of possible causes
+  bool is_enough;                         ///< after >= separable
+  std::vector<PredictedOutcome> outcomes; ///< one a possible cause
+};
+
+/// The candidates, best first: those that separate all possible causes by the least Delta over
+/// cost, then the others likewise. None may be enough: "not with these instruments".
+/// The linear-Gaussian form of Box and Hill, Technometrics 9 (1967) 57; diagnosis note 2d.
+/// @throws dem::InvalidInput for fewer than two causes, a cost that is not positive, matrices of
+/// other sizes
+std::vector<MeasurementAdvice>
+next_measurements(Fit const& baseline, SignatureLibrary const& library,
+                  std::vector<PossibleCause> const& possible,
+                  std::vector<CandidateMeasurement> const& candidates);
+
+} // namespace coupling::diagnosis
