@@ -47,7 +47,9 @@ TEST(PressMachine, ANegativeOffsetPressesHarder) {
     auto const force = record.column("upper_punch_force");
     return *std::ranges::max_element(force);
   };
-  EXPECT_GT(peak(record_of({"Press frame/Gap offset=-0.1 mm"})), 1.05 * peak(record_of({})));
+  // A tiny bed packs differently each time: by 10 % of its peak.
+  EXPECT_GT(peak(record_of({"Press frame/Gap offset=-0.4 mm"})),
+            1.5 * peak(record_of({"Press frame/Gap offset=0.4 mm"})));
 }
 
 TEST(PressMachine, LoadCellShowsTheForceThroughItsErrors) {

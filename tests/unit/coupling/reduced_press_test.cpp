@@ -96,7 +96,9 @@ TEST(PressChain, HeightIsWhereBedAndFrameAgree) {
   EXPECT_GT(largest, 0.2e-3);
 }
 
-/// The frame of the grains' simulator on the same bed, stepped as it is there.
+/// The frame of the grains' simulator on the same bed, stepped as it is there, while it closes. (At
+/// the end of the closing that one runs on for a part of a window, 4 um, and the wall's friction
+/// begins to turn round.)
 TEST(PressChain, FrameIsThatOfTheGrains) {
   FrameLaw const law_of_frame{.stiffness = 30e6, .seating = 0.1e-3, .seating_force = 2e3};
   PressFrame frame(law_of_frame);
@@ -104,7 +106,7 @@ TEST(PressChain, FrameIsThatOfTheGrains) {
   double smallest = 20e-3, error = 0.0, largest = 0.0;
   auto const exact = cycle(law_of_frame);
   std::size_t next = 1;
-  for (double t = dt; t < 0.19 && next < exact.size(); t += dt) {
+  for (double t = dt; t < course.time[1] && next < exact.size(); t += dt) {
     double const gap = course.at(t) + frame.deflection();
     smallest = std::min(smallest, gap);
     double const force = bed_forces(law, bed, gap, smallest).upper;
@@ -115,7 +117,7 @@ TEST(PressChain, FrameIsThatOfTheGrains) {
     largest = std::max(largest, force);
     ++next;
   }
-  EXPECT_GT(next, 390u);
+  EXPECT_GT(next, 120u);
   EXPECT_LT(error, 0.01 * largest);
 }
 
@@ -174,7 +176,7 @@ TEST(PressChain, RefusesWhatMakesNoPress) {
       message([] { press_course(20e-3, 8e-3, -0.2, 0.2); }),
       "press course: from 0.02 to 0.008 m at -0.2 and 0.2 m/s with a dwell of 0 s. Are speeds "
       "positive, and the fill height above the end gap?");
-  EXPECT_EQ(message([] { cycle({.gap_offset = -9e-3}); }),
+  EXPECT_EQ(message([] { press_cycle(law, bed, {.gap_offset = -9e-3}, {}, course, {0.06}); }),
             "gap course: the faces meet at 0.06 s. Is the gap offset (-0.009 m) right?");
   EXPECT_EQ(message([] {
               press_cycle(law, bed, {}, {}, course, {0.1, 0.1});
