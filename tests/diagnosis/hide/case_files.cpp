@@ -61,7 +61,25 @@ std::string csv(Readings const& rows, bool all) {
   return text;
 }
 
-Json truth(Case const& of, Lambda lambda) {
+/// lambda, and the rivals nearer than 5.
+void foretell(Case const& of, Foretold foretold, Json& json) {
+  if (foretold == Foretold::nothing || of.hidden.empty())
+    return;
+  Detector const detector(of);
+  json["lambda"] = detector.lambda(of.hidden);
+  for (std::size_t k = 0; k < of.hidden.size(); ++k)
+    json["effects"][k]["lambda"] = detector.lambda({of.hidden[k]});
+  if (foretold != Foretold::separation || of.hidden.size() != 1)
+    return;
+  auto const rivals = detector.rivals(of.hidden.front());
+  json["separation"] = rivals.front().separation;
+  json["rivals"] = Json::array();
+  for (auto const& [effect, separation] : rivals)
+    if (separation < 5.0)
+      json["rivals"].push_back({{"name", kind_of(effect).name}, {"separation", separation}});
+}
+
+Json truth(Case const& of, Foretold foretold) {
   Json json = {{"seed", of.seed},
                {"class", name_of(of.kind)},
                {"observables", name_of(of.observables)},
@@ -69,12 +87,6 @@ Json truth(Case const& of, Lambda lambda) {
                 {{"young_modulus", of.powder.young_modulus},
                  {"cohesion_density", of.powder.cohesion_density}}},
                {"effects", Json::array()}};
-  Signatures signatures;
-  bool const measures = lambda == Lambda::compute && !of.hidden.empty();
-  if (measures) {
-    signatures = signatures_of(of);
-    json["lambda"] = signatures.lambda();
-  }
   for (std::size_t k = 0; k < of.hidden.size(); ++k) {
     auto const& kind = kind_of(of.hidden[k].effect);
     json["effects"].push_back({{"name", kind.name},
@@ -82,9 +94,8 @@ Json truth(Case const& of, Lambda lambda) {
                                {"unit", kind.unit},
                                {"prior", kind.prior},
                                {"form", kind.form}});
-    if (measures)
-      json["effects"].back()["lambda"] = signatures.lambda(static_cast<int>(k));
   }
+  foretell(of, foretold, json);
   for (auto const& run : of.runs)
     json["runs"].push_back({{"file", run.file},
                             {"mass", run.repeat.mass},
@@ -113,7 +124,7 @@ Json sheet(Observables set) {
 
 } // namespace
 
-void write_case(Case const& of, std::filesystem::path const& folder, Lambda lambda) {
+void write_case(Case const& of, std::filesystem::path const& folder, Foretold foretold) {
   if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder))
     throw std::runtime_error(
         fmt::format("{}: is not empty (a case has a folder of its own). Another name?",
@@ -129,7 +140,7 @@ void write_case(Case const& of, std::filesystem::path const& folder, Lambda lamb
     write(folder / "data" / run.file, csv(readings, has_all_gauges(of.observables)));
   }
   write(folder / "data" / "measured.json", json.dump(2) + "\n");
-  write(folder / "sealed" / "truth.json", truth(of, lambda).dump(2) + "\n");
+  write(folder / "sealed" / "truth.json", truth(of, foretold).dump(2) + "\n");
 }
 
 } // namespace hidden

@@ -2,8 +2,7 @@
 
 #include "tests/diagnosis/hide/readings.hpp"
 
-#include <Eigen/Dense>
-
+#include <algorithm>
 #include <cmath>
 
 namespace hidden {
@@ -81,36 +80,68 @@ Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_
 
 } // namespace
 
-double Signatures::lambda() const { return effects.rowwise().sum().norm(); }
-
-Signatures signatures_of(Case const& of) {
+Detector::Detector(Case const& of) : case_(of) {
   auto const base = observed(of, of.powder, {}, {});
-  Eigen::Index n_runs = 0;
-  for (auto const& run : of.runs)
-    n_runs += run.is_held_out ? 0 : 1;
-  Eigen::LLT<Eigen::MatrixXd> const root(covariance(of, base, n_runs));
-  auto const whitened = [&](Powder const& powder, Effects const& effects) {
-    Eigen::VectorXd const moved = values(observed(of, powder, effects, {})) - values(base);
-    return Eigen::VectorXd(root.matrixL().solve(moved));
-  };
-  Signatures result;
+  base_ = values(base);
+  auto const n_runs = std::ranges::count_if(of.runs, [](auto& run) { return !run.is_held_out; });
+  root_.compute(covariance(of, base, n_runs));
   Powder stiff = of.powder, sticky = of.powder;
   stiff.young_modulus *= 1.02;
   sticky.cohesion_density *= 1.05;
-  result.nuisance.resize(static_cast<Eigen::Index>(base.value.size()), 2);
-  result.nuisance << 7.5 * whitened(stiff, {}), 6.0 * whitened(sticky, {});
-  auto const count = static_cast<Eigen::Index>(of.hidden.size());
-  Eigen::MatrixXd plain(result.nuisance.rows(), count);
-  for (Eigen::Index k = 0; k < count; ++k) {
-    auto const& [effect, size] = of.hidden[static_cast<std::size_t>(k)];
-    plain.col(k) = whitened(of.powder, Effects{}.with(effect, size));
+  nuisance_.resize(base_.size(), 2);
+  nuisance_.col(0) = 7.5 * (values(observed(of, stiff, {}, {})) - base_);
+  nuisance_.col(1) = 6.0 * (values(observed(of, sticky, {}, {})) - base_);
+  nuisance_ = root_.matrixL().solve(nuisance_).eval();
+}
+
+Eigen::VectorXd Detector::projected(Eigen::VectorXd const& moved) const {
+  Eigen::VectorXd const white = root_.matrixL().solve(moved);
+  // Priors of 15 % and 30 % hold the two: a ridge instead of a bare projection.
+  Eigen::Matrix2d const normal = nuisance_.transpose() * nuisance_ + Eigen::Matrix2d::Identity();
+  return white - nuisance_ * normal.ldlt().solve(nuisance_.transpose() * white);
+}
+
+Eigen::VectorXd Detector::signature(std::vector<HiddenEffect> const& hidden) const {
+  Effects effects;
+  for (auto const& [effect, size] : hidden)
+    effects = effects.with(effect, size);
+  return projected(values(observed(case_, case_.powder, effects, {})) - base_);
+}
+
+double Detector::lambda(std::vector<HiddenEffect> const& hidden) const {
+  return signature(hidden).norm();
+}
+
+std::vector<Detector::Rival> Detector::rivals(HiddenEffect const& hidden) const {
+  Eigen::VectorXd const own = signature({hidden});
+  std::vector<Rival> all;
+  for (int k = 0; k < n_known_effects; ++k) {
+    auto const effect = static_cast<Effect>(k);
+    if (effect == hidden.effect)
+      continue;
+    // A third of the prior: where it is small the signature is a line.
+    Eigen::VectorXd const other = 3.0 * signature({{effect, kind_of(effect).prior / 3.0}});
+    double const share = own.dot(other) / std::max(other.squaredNorm(), 1e-300);
+    double const least = kind_of(effect).is_one_sided ? 0.0 : -3.0;
+    all.push_back({effect, (own - std::clamp(share, least, 3.0) * other).norm()});
   }
-  // Priors of 15 % and 30 % hold the two: ridge instead of a bare projection.
-  Eigen::Matrix2d const normal =
-      result.nuisance.transpose() * result.nuisance + Eigen::Matrix2d::Identity();
-  result.effects =
-      plain - result.nuisance * normal.ldlt().solve(result.nuisance.transpose() * plain);
-  return result;
+  std::ranges::sort(all, {}, &Rival::separation);
+  return all;
+}
+
+double Detector::size_for(HiddenEffect const& hidden, double target) const {
+  double const most = 5.0 * kind_of(hidden.effect).prior;
+  double const sign = hidden.size < 0.0 ? -1.0 : 1.0;
+  double size = std::abs(hidden.size);
+  double power = 1.0, last = size, last_lambda = lambda({{hidden.effect, sign * size}});
+  for (int k = 0; k < 6 && std::abs(std::log(last_lambda / target)) > 0.03; ++k) {
+    size = std::min(last * std::pow(target / last_lambda, power), most);
+    double const now = lambda({{hidden.effect, sign * size}});
+    if (size != last && now != last_lambda)
+      power = std::clamp(std::log(size / last) / std::log(now / last_lambda), 0.3, 2.0);
+    last = size, last_lambda = now;
+  }
+  return sign * size;
 }
 
 } // namespace hidden

@@ -2,7 +2,9 @@
 
 #include "tests/diagnosis/hide/cases.hpp"
 
-#include <Eigen/Core>
+#include <Eigen/Dense>
+
+#include <vector>
 
 namespace hidden {
 
@@ -10,13 +12,29 @@ namespace hidden {
 /// linear model of the fitted runs at the case's powder (diagnosis note 2b):
 ///   lambda = |P w|,  w = L^-1 (y(effect) - y(none)),  P projects E and CED out,
 ///   Sigma  = sensors + repeats (mass, packing, friction, zeros) + tolerance 0.3 % of y.
-struct Signatures {
-  Eigen::MatrixXd nuisance; ///< whitened directions of E and CED, one prior standard deviation each
-  Eigen::MatrixXd effects;  ///< whitened, projected signatures of the case's effects, in columns
-  double lambda(int k) const { return effects.col(k).norm(); }
-  double lambda() const; ///< of all together
-};
+class Detector {
+public:
+  explicit Detector(Case const& of);
 
-Signatures signatures_of(Case const& hidden_case);
+  double lambda(std::vector<HiddenEffect> const& hidden) const;
+  /// Delta to the nearest single rival of the library, up to three prior sizes either way (2d):
+  ///   min_b |w - b w_rival|.
+  struct Rival {
+    Effect effect;
+    double separation;
+  };
+  std::vector<Rival> rivals(HiddenEffect const& hidden) const;
+  /// The size at which lambda is the target, by secants on the logarithms, within 5 prior sizes.
+  double size_for(HiddenEffect const& hidden, double target) const;
+
+private:
+  Eigen::VectorXd signature(std::vector<HiddenEffect> const& hidden) const;
+  Eigen::VectorXd projected(Eigen::VectorXd const& moved) const;
+
+  Case case_;
+  Eigen::VectorXd base_;
+  Eigen::LLT<Eigen::MatrixXd> root_;
+  Eigen::MatrixXd nuisance_; ///< whitened, one prior standard deviation of E and CED each
+};
 
 } // namespace hidden

@@ -50,8 +50,8 @@ bool JudgedCase::is_unique() const {
   return is_named() && answer.claim.size() == 1 && !answer.is_incomplete;
 }
 bool JudgedCase::is_wrong() const {
-  return !answer.claim.empty() && std::ranges::none_of(answer.claim, [&](auto const& name) {
-    return truth.causes.contains(name);
+  return !answer.claim.empty() && std::ranges::none_of(answer.claim, [&](auto const& claimed) {
+    return truth.causes.contains(claimed);
   });
 }
 bool JudgedCase::has_spurious() const {
@@ -60,7 +60,8 @@ bool JudgedCase::has_spurious() const {
 
 Answer read_answer(std::filesystem::path const& file) {
   auto const found = parsed(file);
-  Answer answer{.verdict = found.at("verdict")};
+  Answer answer;
+  answer.verdict = found.at("verdict");
   answer.is_incomplete = found.value("incomplete", false);
   if (answer.verdict == "named")
     read_named(found.at("causes"), answer);
