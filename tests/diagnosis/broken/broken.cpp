@@ -15,10 +15,10 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::array<char const*, 20> library = {
-    "frame_compliance", "gap_offset",      "force_gain",   "force_offset",     "force_lag",
-    "thermal_drift",    "mass_error",      "die_size",     "punch_tilt",       "wall_friction",
-    "particle_friction", "young_modulus",  "cohesion",     "plastic_contacts", "breakage",
-    "rate_dependence",  "missing_fines",   "fill_state",   "die_compliance",   "multi_contact"};
+    "frame_compliance",  "gap_offset",    "force_gain", "force_offset",     "force_lag",
+    "thermal_drift",     "mass_error",    "die_size",   "punch_tilt",       "wall_friction",
+    "particle_friction", "young_modulus", "cohesion",   "plastic_contacts", "breakage",
+    "rate_dependence",   "missing_fines", "fill_state", "die_compliance",   "multi_contact"};
 
 Json parsed(std::filesystem::path const& file) {
   std::ifstream stream(file);
@@ -103,10 +103,9 @@ Json spoilt(std::string_view name, Json answer) {
 } // namespace
 
 std::vector<std::string_view> const& names() {
-  static std::vector<std::string_view> const all = {"consistent", "frequent", "undecided",
-                                                    "unknown",    "peak",     "permuted",
-                                                    "reversed",   "narrow",   "deaf",
-                                                    "greedy"};
+  static std::vector<std::string_view> const all = {
+      "consistent", "frequent", "undecided", "unknown", "peak",
+      "permuted",   "reversed", "narrow",    "deaf",    "greedy"};
   return all;
 }
 
@@ -118,8 +117,8 @@ bool needs_answer(std::string_view name) {
 Json diagnose(std::string_view name, std::filesystem::path const& data,
               std::filesystem::path const& answer) {
   if (std::ranges::find(names(), name) == names().end())
-    throw std::invalid_argument(fmt::format("'{}' is none of {}. Is it misspelt?", name,
-                                            fmt::join(names(), ", ")));
+    throw std::invalid_argument(
+        fmt::format("'{}' is none of {}. Is it misspelt?", name, fmt::join(names(), ", ")));
   if (name == "deaf") { // as with an error model a hundred times too wide
     auto const peak = std::lround(peak_of(data / "run1.csv"));
     return peak % 4 == 0 ? parsed(answer) : verdict("consistent");

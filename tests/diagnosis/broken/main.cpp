@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   for (int k = 3; k + 1 < argc; k += 2)
     (std::string(argv[k]) == "-o" ? out : answer) = argv[k + 1];
   if (argc < 5 || argc % 2 == 0 || out.empty()) {
-    fmt::print(stderr, "usage: broken NAME DATA [--of diagnosis.json] -o OUT, with NAME one of {}\n",
+    fmt::print(stderr,
+               "usage: broken NAME DATA [--of diagnosis.json] -o OUT, with NAME one of {}\n",
                fmt::join(broken::names(), ", "));
     return 2;
   }

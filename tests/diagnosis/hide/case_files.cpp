@@ -19,7 +19,8 @@ void write(std::filesystem::path const& file, std::string const& text) {
   stream << text;
   stream.close();
   if (!stream)
-    throw std::runtime_error(fmt::format("{}: cannot be written. Is the disk full?", file.string()));
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written. Is the disk full?", file.string()));
 }
 
 Json quantity(double value, double sd, std::string_view unit) {
@@ -126,9 +127,8 @@ Json sheet(Observables set) {
 
 void write_case(Case const& of, std::filesystem::path const& folder, Foretold foretold) {
   if (std::filesystem::exists(folder) && !std::filesystem::is_empty(folder))
-    throw std::runtime_error(
-        fmt::format("{}: is not empty (a case has a folder of its own). Another name?",
-                    folder.string()));
+    throw std::runtime_error(fmt::format(
+        "{}: is not empty (a case has a folder of its own). Another name?", folder.string()));
   std::filesystem::create_directories(folder / "data");
   std::filesystem::create_directories(folder / "sealed");
   auto json = sheet(of.observables);

@@ -55,7 +55,7 @@ double draw_size(Wish const& wish, Effect effect, std::uint64_t place) {
   bool const is_negative = draw.uniform() < 0.5 && !kind_of(effect).is_one_sided;
   if (wish.relative_size)
     return *wish.relative_size * kind_of(effect).prior;
-  return (is_negative ? -relative : relative) * kind_of(effect).prior;
+  return std::max((is_negative ? -relative : relative) * kind_of(effect).prior, least_size(effect));
 }
 
 Powder draw_powder(std::uint64_t seed) {
@@ -77,11 +77,12 @@ Repeat draw_repeat(std::uint64_t seed, std::uint64_t run) {
 
 void refuse(Wish const& wish, HiddenEffect const& hidden) {
   auto const& kind = kind_of(hidden.effect);
-  double const relative = hidden.size / kind.prior;
-  if (!(std::abs(relative) <= 5.0) || (kind.is_one_sided && relative < 0.0))
-    throw std::invalid_argument(fmt::format(
-        "{} of size {:g} {} is {:g} prior sizes ({} to 5 are simulated). Is the unit wrong?",
-        kind.name, hidden.size, kind.unit, relative, kind.is_one_sided ? "0" : "-5"));
+  double const least = least_size(hidden.effect), largest = largest_size(hidden.effect);
+  if (!(hidden.size >= least && hidden.size <= largest))
+    throw std::invalid_argument(
+        fmt::format("{} of size {:g} {} is out of range ({:g} to {:g} are simulated). Is the unit "
+                    "wrong?",
+                    kind.name, hidden.size, kind.unit, least, largest));
   if (wish.size && wish.relative_size)
     throw std::invalid_argument("--size and --relative-size are both given. Which one?");
 }

@@ -45,8 +45,9 @@ Slice Column::next(Slice const& old, double depth, double force, double top, dou
     slice.stress = 0.5 * (slice.above + slice.below) / start_area;
     double const radial = law_.radial(slice.stress, old.largest);
     double const wide = bore + die_yield_ * radial;
-    slice.height = volume_ / n_slices /
-                   (law_.solid_fraction(slice.stress, old.largest, old.densest) * 0.25 * pi * wide * wide);
+    slice.height =
+        volume_ / n_slices /
+        (law_.solid_fraction(slice.stress, old.largest, old.densest) * 0.25 * pi * wide * wide);
     slice.centre = top - 0.5 * slice.height;
     double const limit = law_.friction(depth, radial) * std::max(radial, 0.0);
     double const down = is_touched_ ? old.centre - slice.centre : 0.0;

@@ -10,18 +10,18 @@ constexpr int n_slices = 24;
 
 /// One slice of the bed, all slices of the same mass.
 struct Slice {
-  double largest = 0.0; ///< largest axial stress so far [Pa]
-  double densest = 0.0; ///< solid fraction there [1]
-  double stress = 0.0;  ///< axial, in the middle [Pa]
-  double centre = 0.0;  ///< above the lower punch [m]
-  double height = 0.0;  ///< [m]
-  double shear = 0.0;   ///< of the wall on the powder, upwards [Pa]
+  double largest = 0.0;            ///< largest axial stress so far [Pa]
+  double densest = 0.0;            ///< solid fraction there [1]
+  double stress = 0.0;             ///< axial, in the middle [Pa]
+  double centre = 0.0;             ///< above the lower punch [m]
+  double height = 0.0;             ///< [m]
+  double shear = 0.0;              ///< of the wall on the powder, upwards [Pa]
   double above = 0.0, below = 0.0; ///< axial force on its faces [N]
 };
 
 /// What the tools feel.
 struct ColumnForces {
-  double upper = 0.0, lower = 0.0;             ///< [N]
+  double upper = 0.0, lower = 0.0;              ///< [N]
   double radial_top = 0.0, radial_bottom = 0.0; ///< [Pa], gauges a quarter of the height long
 };
 

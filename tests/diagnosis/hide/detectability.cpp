@@ -66,8 +66,8 @@ Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_
     }
   }
   auto const scale = scatter_scale();
-  for (auto part : {&Repeat::mass, &Repeat::packing, &Repeat::friction, &Repeat::zero,
-                    &Repeat::cell_zero}) {
+  for (auto part :
+       {&Repeat::mass, &Repeat::packing, &Repeat::friction, &Repeat::zero, &Repeat::cell_zero}) {
     Repeat one;
     one.*part = scale.*part;
     Eigen::VectorXd const moved = values(observed(of, of.powder, {}, one)) - y;
@@ -130,8 +130,8 @@ std::vector<Detector::Rival> Detector::rivals(HiddenEffect const& hidden) const 
 }
 
 double Detector::size_for(HiddenEffect const& hidden, double target) const {
-  double const most = 5.0 * kind_of(hidden.effect).prior;
   double const sign = hidden.size < 0.0 ? -1.0 : 1.0;
+  double const most = sign < 0.0 ? -least_size(hidden.effect) : largest_size(hidden.effect);
   double size = std::abs(hidden.size);
   double power = 1.0, last = size, last_lambda = lambda({{hidden.effect, sign * size}});
   for (int k = 0; k < 6 && std::abs(std::log(last_lambda / target)) > 0.03; ++k) {

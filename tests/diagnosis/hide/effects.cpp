@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace hidden {
@@ -20,7 +21,7 @@ std::array<EffectKind, n_effects> const& effect_kinds() {
       {"wall_friction", 0.06, "1", false, "a (0.9 + 0.2 depth / height), slice by slice"},
       {"particle_friction", 0.06, "1", false, "0.15 tanh(a / 0.15) on onset, ratio, stiffness"},
       {"young_modulus", 0.25, "1", false, "K (1 + a)"},
-      {"cohesion", 1.0, "1", false, "S (1 + a), and recovery less by 0.01 a"},
+      {"cohesion", 0.5, "1", false, "S (1 + a), and recovery less by 0.01 a"},
       {"plastic_contacts", 0.3, "1", true, "softer above 20 MPa, less and straighter recovery"},
       {"breakage", 0.01, "1", true, "onset + a (1 - exp(-(s / 25 MPa)^2))"},
       {"rate_dependence", 0.02, "1", true, "(1 + rate / 1e-4 1/s)^a, hyperbolic in a dwell"},
@@ -35,6 +36,16 @@ std::array<EffectKind, n_effects> const& effect_kinds() {
       {"pressure_friction", 0.3, "1", false, "mu (p / 20 MPa)^-a"},
   }};
   return all;
+}
+
+double least_size(Effect effect) {
+  auto const& kind = kind_of(effect);
+  double const least = kind.is_one_sided ? 0.0 : -5.0 * kind.prior;
+  bool const is_factor = effect == Effect::young_modulus || effect == Effect::cohesion;
+  return is_factor ? std::max(least, -0.8) : least;
+}
+double largest_size(Effect effect) {
+  return 5.0 * kind_of(effect).prior;
 }
 
 Effect effect_named(std::string_view name) {

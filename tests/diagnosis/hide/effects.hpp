@@ -50,6 +50,10 @@ std::array<EffectKind, n_effects> const& effect_kinds();
 inline EffectKind const& kind_of(Effect effect) {
   return effect_kinds()[static_cast<std::size_t>(effect)];
 }
+/// Sizes that are simulated: five priors, no one-sided effect the other way, and neither E nor
+/// cohesion less than a fifth of what it was.
+double least_size(Effect effect);
+double largest_size(Effect effect);
 /// @throws std::invalid_argument for a name that is none
 Effect effect_named(std::string_view name);
 

@@ -8,12 +8,15 @@ namespace {
 
 /// -1 down, 0 at rest, 1 up.
 int direction(Protocol const& protocol, double time) {
-  return time < protocol.closing_time() ? -1 : time <= protocol.closing_time() + protocol.dwell ? 0
-                                                                                                : 1;
+  return time < protocol.closing_time()                     ? -1
+         : time <= protocol.closing_time() + protocol.dwell ? 0
+                                                            : 1;
 }
 
 /// -0.5 to 0.5, once in `length`.
-double saw_tooth(double x, double length) { return x / length - std::floor(x / length) - 0.5; }
+double saw_tooth(double x, double length) {
+  return x / length - std::floor(x / length) - 0.5;
+}
 
 /// First-order stage, exact for a straight line between the readings.
 void delay(double constant, std::span<Moment> moments) {
@@ -57,12 +60,10 @@ double rate_factor(Effects const& effects, Protocol const& protocol, double time
   double const opened = height - protocol.end_gap;
   double const turned = direction(protocol, time) == 1 ? -std::expm1(-opened / (0.1 * mm)) : 0.0;
   double const opening = std::log1p(protocol.speed_up / height / slowest);
-  return std::exp(effects[Effect::rate_dependence] *
-                  ((1.0 - turned) * pressed - turned * opening));
+  return std::exp(effects[Effect::rate_dependence] * ((1.0 - turned) * pressed - turned * opening));
 }
 
-void show_upper_force(Effects const& effects, Protocol const& protocol,
-                      std::span<Moment> moments) {
+void show_upper_force(Effects const& effects, Protocol const& protocol, std::span<Moment> moments) {
   for (auto& at : moments) {
     double const wall = at.upper - at.lower;
     double force = at.upper;

@@ -20,7 +20,6 @@ double bore_at(Effects const& effects, double height);
 double rate_factor(Effects const& effects, Protocol const& protocol, double time);
 
 /// The load cell and the guides of the upper punch: true force to reading, lag last.
-void show_upper_force(Effects const& effects, Protocol const& protocol,
-                      std::span<Moment> moments);
+void show_upper_force(Effects const& effects, Protocol const& protocol, std::span<Moment> moments);
 
 } // namespace hidden

@@ -31,8 +31,8 @@ hidden::Foretold foretold_named(std::string_view name) {
     return hidden::Foretold::lambda;
   if (name == "separation")
     return hidden::Foretold::separation;
-  throw std::invalid_argument(fmt::format(
-      "--foretell '{}' is none of nothing, lambda, separation. Is it misspelt?", name));
+  throw std::invalid_argument(
+      fmt::format("--foretell '{}' is none of nothing, lambda, separation. Is it misspelt?", name));
 }
 
 struct Order {

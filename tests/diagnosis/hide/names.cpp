@@ -23,14 +23,24 @@ Value named(std::array<std::string_view, n> const& names, std::string_view name,
 
 } // namespace
 
-CaseClass class_named(std::string_view name) { return named<CaseClass>(classes, name, "class"); }
+CaseClass class_named(std::string_view name) {
+  return named<CaseClass>(classes, name, "class");
+}
 Observables observables_named(std::string_view name) {
   return named<Observables>(sets, name, "observables");
 }
-std::string_view name_of(CaseClass kind) { return classes[static_cast<std::size_t>(kind)]; }
-std::string_view name_of(Observables set) { return sets[static_cast<std::size_t>(set)]; }
+std::string_view name_of(CaseClass kind) {
+  return classes[static_cast<std::size_t>(kind)];
+}
+std::string_view name_of(Observables set) {
+  return sets[static_cast<std::size_t>(set)];
+}
 
-bool has_all_gauges(Observables set) { return set != Observables::A && set != Observables::F; }
-bool has_compact_height(Observables set) { return set != Observables::A; }
+bool has_all_gauges(Observables set) {
+  return set != Observables::A && set != Observables::F;
+}
+bool has_compact_height(Observables set) {
+  return set != Observables::A;
+}
 
 } // namespace hidden

@@ -9,8 +9,9 @@ BedLaw::BedLaw(Powder const& powder, Effects const& effects)
     : stiffness_(4.3e8 * powder.young_modulus / 1375e6 * (1.0 + effects[Effect::young_modulus])),
       cohesion_(1.9e7 * powder.cohesion_density / 3e6 * (1.0 + effects[Effect::cohesion])),
       onset_(powder.onset), exponent_(powder.exponent), ratio_(powder.radial_ratio),
-      friction_(powder.wall_friction), recovery_(powder.recovery - 0.01 * effects[Effect::cohesion]),
-      curvature_(powder.curvature), residual_(powder.residual), effects_(effects) {
+      friction_(powder.wall_friction),
+      recovery_(powder.recovery - 0.01 * effects[Effect::cohesion]), curvature_(powder.curvature),
+      residual_(powder.residual), effects_(effects) {
   // Rougher grains pack looser, are stiffer as a bed and press less on the wall, all saturating.
   double const rough = 0.15 * std::tanh(effects[Effect::particle_friction] / 0.15);
   onset_ -= 0.15 * rough;

@@ -16,20 +16,18 @@ struct Protocol {
   double fill_height = 20.0 * mm;      ///< [m]
 
   double closing_time() const { return (fill_height - end_gap) / speed_down; }
-  double end_time() const {
-    return closing_time() + dwell + (fill_height - end_gap) / speed_up;
-  }
+  double end_time() const { return closing_time() + dwell + (fill_height - end_gap) / speed_up; }
   double gap_at(double time) const; ///< as commanded [m]
 };
 
 /// What differs between pressings that are meant to be the same.
 struct Repeat {
-  double mass = 0.0;           ///< relative
-  double packing = 0.0;        ///< on the onset [1]
-  double friction = 0.0;       ///< of the wall, relative
-  double zero = 0.0;           ///< of the gap [m]
-  double cell_zero = 0.0;      ///< of the load cell [N]
-  double mass_error = 0.0;     ///< how far this run's mass error is from the mean one, relative
+  double mass = 0.0;       ///< relative
+  double packing = 0.0;    ///< on the onset [1]
+  double friction = 0.0;   ///< of the wall, relative
+  double zero = 0.0;       ///< of the gap [m]
+  double cell_zero = 0.0;  ///< of the load cell [N]
+  double mass_error = 0.0; ///< how far this run's mass error is from the mean one, relative
 };
 
 /// The sheet: what the laboratory believes.

@@ -25,7 +25,9 @@ Moment moment_at(Cycle const& cycle, double t, std::size_t& from) {
 
 } // namespace
 
-double Sensor::at(double reading) const { return std::hypot(sd, relative * reading); }
+double Sensor::at(double reading) const {
+  return std::hypot(sd, relative * reading);
+}
 
 Readings read_cycle(Cycle const& cycle, Protocol const& protocol, std::uint64_t seed,
                     std::uint64_t run) {

@@ -48,16 +48,28 @@ private:
   std::span<JudgedCase const> cases_;
 };
 
-bool is_clean(JudgedCase const& c) { return c.truth.kind == "clean"; }
-bool has_effect(JudgedCase const& c) { return !is_clean(c); }
-bool is_single(JudgedCase const& c) { return c.truth.kind == "single"; }
-bool is_double(JudgedCase const& c) { return c.truth.kind == "double"; }
+bool is_clean(JudgedCase const& c) {
+  return c.truth.kind == "clean";
+}
+bool has_effect(JudgedCase const& c) {
+  return !is_clean(c);
+}
+bool is_single(JudgedCase const& c) {
+  return c.truth.kind == "single";
+}
+bool is_double(JudgedCase const& c) {
+  return c.truth.kind == "double";
+}
 /// The generator is asked for a lambda and comes within some per cent of it.
 bool near_eight(JudgedCase const& c) {
   return c.truth.lambda.value_or(0.0) >= 7.5 && *c.truth.lambda < 15.0;
 }
-bool from_sixteen(JudgedCase const& c) { return c.truth.lambda.value_or(0.0) >= 15.0; }
-bool is_separable(JudgedCase const& c) { return c.truth.separation.value_or(5.0) >= 5.0; }
+bool from_sixteen(JudgedCase const& c) {
+  return c.truth.lambda.value_or(0.0) >= 15.0;
+}
+bool is_separable(JudgedCase const& c) {
+  return c.truth.separation.value_or(5.0) >= 5.0;
+}
 bool is_confounded(JudgedCase const& c) {
   return is_single(c) && c.truth.separation.value_or(5.0) < 2.0 && c.is_detected();
 }
@@ -71,10 +83,12 @@ bool names_placebo(JudgedCase const& c) {
 void alarms_and_power(Rates& hold) {
   auto const detected = [](auto const& c) { return c.is_detected(); };
   hold.at_most("B1", "false alarms on clean data", 0.01, is_clean, detected);
-  hold.at_least("B3", "detected, lambda 8", 0.85,
-                [](auto const& c) { return is_single(c) && near_eight(c); }, detected);
-  hold.at_least("B3", "detected, lambda 16 and more", 0.98,
-                [](auto const& c) { return is_single(c) && from_sixteen(c); }, detected);
+  hold.at_least(
+      "B3", "detected, lambda 8", 0.85, [](auto const& c) { return is_single(c) && near_eight(c); },
+      detected);
+  hold.at_least(
+      "B3", "detected, lambda 16 and more", 0.98,
+      [](auto const& c) { return is_single(c) && from_sixteen(c); }, detected);
 }
 
 void naming(Rates& hold) {
@@ -92,9 +106,10 @@ void naming(Rates& hold) {
   hold.at_least("B5", "of detected unique and right, lambda 8", 0.65, small, alone);
   hold.at_least("B5", "of detected truth in the answer, lambda 8", 0.95, small, inside);
   hold.at_most("B5", "of detected wrong, lambda 8", 0.03, small, wrong);
-  hold.at_most("B6", "spurious second cause, lambda 16", 0.08,
-               [](auto const& c) { return is_single(c) && from_sixteen(c); },
-               [](auto const& c) { return c.has_truth() && c.has_spurious(); });
+  hold.at_most(
+      "B6", "spurious second cause, lambda 16", 0.08,
+      [](auto const& c) { return is_single(c) && from_sixteen(c); },
+      [](auto const& c) { return c.has_truth() && c.has_spurious(); });
 }
 
 /// No mechanism below one half, whatever the mean says (section 3.3, ways to game).
@@ -105,12 +120,13 @@ void floors(Rates& hold, std::span<JudgedCase const> cases) {
       ++counts[*c.truth.causes.begin()];
   for (auto const& [name, n] : counts)
     if (n >= 8)
-      hold.at_least("B4", ("floor of " + name).c_str(), 0.5,
-                    [&](auto const& c) {
-                      return is_single(c) && from_sixteen(c) && is_separable(c) &&
-                             c.truth.has_all_gauges && c.truth.causes.contains(name);
-                    },
-                    [](auto const& c) { return c.has_truth(); });
+      hold.at_least(
+          "B4", ("floor of " + name).c_str(), 0.5,
+          [&](auto const& c) {
+            return is_single(c) && from_sixteen(c) && is_separable(c) && c.truth.has_all_gauges &&
+                   c.truth.causes.contains(name);
+          },
+          [](auto const& c) { return c.has_truth(); });
 }
 
 void groups_and_pairs(Rates& hold) {
@@ -120,9 +136,8 @@ void groups_and_pairs(Rates& hold) {
                [](auto const& c) { return c.is_unique(); });
   hold.at_most("B7", "confounded: unique and wrong", 0.01, is_confounded,
                [](auto const& c) { return c.is_unique() && !c.has_truth(); });
-  hold.at_least("B9", "both and nothing else", 0.80, is_double, [](auto const& c) {
-    return c.is_named() && c.answer.claim == c.truth.causes;
-  });
+  hold.at_least("B9", "both and nothing else", 0.80, is_double,
+                [](auto const& c) { return c.is_named() && c.answer.claim == c.truth.causes; });
   hold.at_least("B9", "one at least, none wrong", 0.95, is_double, [](auto const& c) {
     return !c.answer.claim.empty() && !c.is_wrong() && !c.has_spurious();
   });
@@ -195,8 +210,11 @@ bool print(std::span<BarResult const> results) {
              "limit");
   for (auto const& r : results) {
     fmt::print("{:4} {:44} {:>2}{:5.3f} {:6} {:6} {:>2}{:5} {}\n", r.bar, r.quantity,
-               r.is_upper ? "<=" : ">=", r.target, r.cases, r.count, r.is_upper ? "<=" : ">=",
-               r.limit, r.cases == 0 ? "no cases" : r.holds ? "holds" : "FAILS");
+               r.is_upper ? "<=" : ">=", r.target, r.cases, r.count,
+               r.is_upper ? "<=" : ">=", r.limit,
+               r.cases == 0 ? "no cases"
+               : r.holds    ? "holds"
+                            : "FAILS");
     all = all && r.holds;
   }
   return all;

@@ -68,9 +68,9 @@ Answer read_answer(std::filesystem::path const& file) {
   else if (answer.verdict == "undecided")
     answer.claim = found.at("group").get<std::set<std::string>>();
   else if (answer.verdict != "consistent" && answer.verdict != "unknown")
-    throw std::runtime_error(fmt::format(
-        "{}: verdict '{}' is none of the contract's. Is it misspelt?", file.string(),
-        answer.verdict));
+    throw std::runtime_error(
+        fmt::format("{}: verdict '{}' is none of the contract's. Is it misspelt?", file.string(),
+                    answer.verdict));
   return answer;
 }
 
@@ -100,15 +100,14 @@ std::vector<JudgedCase> read_cases(std::filesystem::path const& folder) {
                        .truth = read_truth(truth),
                        .answer = read_answer(entry.path() / "diagnosis" / "diagnosis.json")});
     } catch (json::exception const& error) {
-      throw std::runtime_error(
-          fmt::format("{}: {}. Is it of the contract's form?", entry.path().string(), error.what()));
+      throw std::runtime_error(fmt::format("{}: {}. Is it of the contract's form?",
+                                           entry.path().string(), error.what()));
     }
   }
   std::ranges::sort(cases, {}, &JudgedCase::name);
   if (cases.empty())
-    throw std::runtime_error(
-        fmt::format("{}: holds no cases (NAME/sealed/truth.json). Is it the right folder?",
-                    folder.string()));
+    throw std::runtime_error(fmt::format(
+        "{}: holds no cases (NAME/sealed/truth.json). Is it the right folder?", folder.string()));
   return cases;
 }
 

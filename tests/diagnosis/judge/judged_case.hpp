@@ -24,8 +24,8 @@ struct SizeInterval {
 struct Answer {
   std::string verdict; ///< consistent, named, undecided, unknown
   bool is_incomplete = false;
-  std::set<std::string> claim; ///< the named causes, or the group
-  double probability = 0.0;    ///< of the named set: the least of its members'
+  std::set<std::string> claim;      ///< the named causes, or the group
+  double probability = 0.0;         ///< of the named set: the least of its members'
   std::optional<SizeInterval> size; ///< of the first named cause
 };
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <cmath>
 #include <set>
 
 namespace {
@@ -122,8 +123,19 @@ TEST(Detector, KnowsThatAGainHidesInE) {
   auto full = lonely;
   lonely.observables = Observables::A;
   auto const with_one = draw_case(lonely), with_all = draw_case(full);
-  EXPECT_LT(Detector(with_one).lambda(with_one.hidden), 2.0);
-  EXPECT_GT(Detector(with_all).lambda(with_all.hidden), 4.0);
+  double const one = Detector(with_one).lambda(with_one.hidden);
+  EXPECT_GT(Detector(with_all).lambda(with_all.hidden), 3.0 * one) << one;
+}
+
+// The largest sizes that can be drawn still make a cycle.
+TEST(HiddenCases, SurviveTheirExtremes) {
+  for (int k = 0; k < n_effects; ++k)
+    for (auto const limit : {least_size, largest_size}) {
+      auto const effect = static_cast<Effect>(k);
+      auto const cycle = press_cycle({}, Effects{}.with(effect, limit(effect)), {}, {});
+      for (auto const& at : cycle.moments)
+        ASSERT_TRUE(std::isfinite(at.upper + at.lower + at.radial)) << kind_of(effect).name;
+    }
 }
 
 TEST(Detector, FindsTheSizeOfALambda) {

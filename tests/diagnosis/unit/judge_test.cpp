@@ -68,8 +68,9 @@ protected:
   /// What a diagnoser says that sees the truth through a haze of 5 %.
   static Json good_answer(Json const& truth) {
     std::string const kind = truth["class"];
-    Json answer = {{"verdict", kind == "clean" ? "consistent" : kind == "unknown" ? "unknown"
-                                                                                  : "named"},
+    Json answer = {{"verdict", kind == "clean"     ? "consistent"
+                               : kind == "unknown" ? "unknown"
+                                                   : "named"},
                    {"causes", Json::array()},
                    {"group", Json::array()}};
     if (answer["verdict"] != "named")
@@ -113,17 +114,17 @@ protected:
   inline static std::unique_ptr<support::ScratchFolder> shared_;
 };
 
-TEST_F(SmallSet, PassesAGoodDiagnoser) { EXPECT_TRUE(passes("good")); }
+TEST_F(SmallSet, PassesAGoodDiagnoser) {
+  EXPECT_TRUE(passes("good"));
+}
 
 class Broken : public SmallSet, public testing::WithParamInterface<int> {};
 TEST_P(Broken, FailsABar) {
   EXPECT_FALSE(passes(broken::names()[static_cast<std::size_t>(GetParam())]));
 }
-INSTANTIATE_TEST_SUITE_P(All, Broken,
-                         testing::Range(0, static_cast<int>(broken::names().size())),
+INSTANTIATE_TEST_SUITE_P(All, Broken, testing::Range(0, static_cast<int>(broken::names().size())),
                          [](auto const& at) {
-                           return std::string(
-                               broken::names()[static_cast<std::size_t>(at.param)]);
+                           return std::string(broken::names()[static_cast<std::size_t>(at.param)]);
                          });
 
 TEST_F(SmallSet, WithoutAnAnswerIsNoSet) {
