@@ -8,19 +8,25 @@
 namespace hidden {
 namespace {
 
+enum class Gauge { upper, lower, radial, ejection, height };
+
 /// Every sixth moment of the cycle stands for the readings around it, all gauges one below another.
 struct Observed {
-  std::vector<double> value, sd, phase;
+  std::vector<double> value, sd, phase; ///< phase 0 to 1 over the cycle's moments
+  std::vector<Gauge> gauge;
+  void add(double y, double error, double at, Gauge from) {
+    value.push_back(y), sd.push_back(error), phase.push_back(at), gauge.push_back(from);
+  }
 };
 
-void add_channel(Observed& out, Cycle const& cycle, Sensor const& sensor, double Moment::*gauge) {
+void add_channel(Observed& out, Cycle const& cycle, Sensor const& sensor, double Moment::*reading,
+                 Gauge gauge) {
   for (std::size_t k = 3; k < cycle.moments.size(); k += 6) {
-    double const y = cycle.moments[k].*gauge;
+    double const y = cycle.moments[k].*reading;
     // Onset and loss of contact are no Gaussian matter: wider there (note 2a).
-    double const kink = gauge == &Moment::radial ? 0.0 : 100.0 * std::exp(-std::abs(y) / 300.0);
-    out.value.push_back(y);
-    out.sd.push_back(std::hypot(sensor.at(y), std::abs(y) > 30.0 ? kink : 0.0));
-    out.phase.push_back(static_cast<double>(k) / static_cast<double>(cycle.moments.size()));
+    double const kink = gauge == Gauge::radial ? 0.0 : 100.0 * std::exp(-std::abs(y) / 300.0);
+    out.add(y, std::hypot(sensor.at(y), std::abs(y) > 30.0 ? kink : 0.0),
+            static_cast<double>(k) / static_cast<double>(cycle.moments.size()), gauge);
   }
 }
 
@@ -31,17 +37,14 @@ Observed observed(Case const& of, Powder const& powder, Effects const& effects,
     if (run.is_held_out)
       continue;
     auto const cycle = press_cycle(powder, effects, run.protocol, repeat);
-    add_channel(out, cycle, force_sensor, &Moment::upper);
+    add_channel(out, cycle, force_sensor, &Moment::upper, Gauge::upper);
     if (has_all_gauges(of.observables)) {
-      add_channel(out, cycle, force_sensor, &Moment::lower);
-      add_channel(out, cycle, pressure_sensor, &Moment::radial);
-      out.value.push_back(cycle.ejection_force), out.sd.push_back(ejection_sd);
-      out.phase.push_back(-1.0);
+      add_channel(out, cycle, force_sensor, &Moment::lower, Gauge::lower);
+      add_channel(out, cycle, pressure_sensor, &Moment::radial, Gauge::radial);
+      out.add(cycle.ejection_force, ejection_sd, 0.0, Gauge::ejection);
     }
-    if (has_compact_height(of.observables)) {
-      out.value.push_back(cycle.compact_height), out.sd.push_back(height_sd);
-      out.phase.push_back(-1.0);
-    }
+    if (has_compact_height(of.observables))
+      out.add(cycle.compact_height, height_sd, 0.0, Gauge::height);
   }
   return out;
 }
@@ -51,19 +54,26 @@ Eigen::VectorXd values(Observed const& from) {
                                            static_cast<Eigen::Index>(from.value.size()));
 }
 
-/// Rows of a run: repeats scatter run by run, so their directions are cut to one run each.
+/// Tolerance of every simulator: 0.3 % of a reading, Matern 3/2 over the cycle, 0.8 between runs,
+/// each gauge on its own; a height is geometry and has none.
+double tolerance(Observed const& base, std::size_t i, std::size_t j, std::size_t rows) {
+  if (base.gauge[i] != base.gauge[j] || base.gauge[i] == Gauge::height)
+    return 0.0;
+  double const d = std::sqrt(3.0) * std::abs(base.phase[i] - base.phase[j]) / 0.2;
+  return 0.003 * 0.003 * base.value[i] * base.value[j] * (1.0 + d) * std::exp(-d) *
+         (i / rows == j / rows ? 1.0 : 0.8);
+}
+
+/// Repeats scatter run by run, so their directions are cut to one run each.
 Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_runs) {
   auto const n = static_cast<Eigen::Index>(base.value.size()), rows = n / n_runs;
   Eigen::VectorXd const y = values(base);
-  Eigen::MatrixXd sigma = Eigen::MatrixXd::Zero(n, n);
+  Eigen::MatrixXd sigma(n, n);
   for (Eigen::Index i = 0; i < n; ++i) {
     auto const k = static_cast<std::size_t>(i);
-    sigma(i, i) = base.sd[k] * base.sd[k];
-    for (Eigen::Index j = 0; j < n; ++j) { // Matern 3/2 over the cycle, 0.8 between runs
-      double const d = std::sqrt(3.0) * std::abs(base.phase[k] - base.phase[std::size_t(j)]) / 0.2;
-      double const kernel = (1.0 + d) * std::exp(-d) * (i / rows == j / rows ? 1.0 : 0.8);
-      sigma(i, j) += 0.003 * 0.003 * y(i) * y(j) * kernel;
-    }
+    for (Eigen::Index j = 0; j < n; ++j)
+      sigma(i, j) = tolerance(base, k, static_cast<std::size_t>(j), static_cast<std::size_t>(rows));
+    sigma(i, i) += base.sd[k] * base.sd[k];
   }
   auto const scale = scatter_scale();
   for (auto part :
