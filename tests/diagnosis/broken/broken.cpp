@@ -65,7 +65,8 @@ double peak_of(std::filesystem::path const& file) {
 
 /// The sheet's press gives 25.2 kN at 8 mm. Whatever departs from it is called E.
 Json by_peak(std::filesystem::path const& data) {
-  for (auto const& run : parsed(data / "measured.json").at("runs")) {
+  auto const measured = parsed(data / "measured.json"); // outlives the loop over its part
+  for (auto const& run : measured.at("runs")) {
     if (std::abs(run.at("press").at("end_gap").get<double>() - 8e-3) > 1e-6)
       continue;
     double const excess = peak_of(data / run.at("file").get<std::string>()) / 25.2e3 - 1.0;

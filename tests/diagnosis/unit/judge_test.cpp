@@ -127,6 +127,19 @@ INSTANTIATE_TEST_SUITE_P(All, Broken, testing::Range(0, static_cast<int>(broken:
                            return std::string(broken::names()[static_cast<std::size_t>(at.param)]);
                          });
 
+// It reads: with E half as high again the peak is 12 kN higher.
+TEST_F(SmallSet, HasAPeakReaderThatReads) {
+  hidden::Wish wish{.seed = 1,
+                    .kind = hidden::CaseClass::single,
+                    .observables = hidden::Observables::A,
+                    .causes = {hidden::Effect::young_modulus}};
+  wish.relative_size = 2.0;
+  write_case(draw_case(wish), scratch_ / "stiff", hidden::Foretold::nothing);
+  auto const answer = broken::diagnose("peak", scratch_ / "stiff/data", {});
+  ASSERT_EQ(answer["verdict"], "named");
+  EXPECT_EQ(answer["causes"][0]["name"], "young_modulus");
+}
+
 TEST_F(SmallSet, WithoutAnAnswerIsNoSet) {
   EXPECT_THROW(judging::read_cases(scratch_.path()), std::runtime_error);
 }
