@@ -1,0 +1,147 @@
+#include "tests/diagnosis/broken/broken.hpp"
+#include "tests/diagnosis/hide/case_files.hpp"
+#include "tests/diagnosis/judge/bars.hpp"
+#include "tests/diagnosis/judge/binomial.hpp"
+#include "tests/support/scratch_folder.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Diagnosis note 3.3: the 99 % binomial limit for a true 1 % of 400 is 9; P(X >= 10) = 0.0077,
+// P(X >= 9) = 0.0208. And P(X <= 11 | 20, 0.85) = 0.0013, P(X <= 12) = 0.0059, P(X <= 13) = 0.0219.
+TEST(Binomial, AllowsWhatATrueRateDoes) {
+  EXPECT_EQ(judging::most_allowed(400, 0.01), 9);
+  EXPECT_EQ(judging::least_allowed(20, 0.85), 13);
+  EXPECT_EQ(judging::most_allowed(0, 0.01), 0);
+  EXPECT_EQ(judging::least_allowed(0, 0.95), 0);
+  EXPECT_EQ(judging::least_allowed(1, 0.95), 0); // P(0) = 0.05: one miss says nothing
+  EXPECT_EQ(judging::most_allowed(1, 0.01), 1);  // P(1) = 0.01 is just likely enough
+}
+
+/// Cases with the truth that a small set has; the data of one clean and one hidden case serve all.
+class SmallSet : public testing::Test {
+protected:
+  static void SetUpTestSuite() {
+    shared_ = std::make_unique<support::ScratchFolder>();
+    for (int k = 0; k < 4; ++k) {
+      hidden::Wish const wish{.seed = static_cast<std::uint64_t>(k),
+                              .kind = k < 2 ? hidden::CaseClass::clean : hidden::CaseClass::single,
+                              .observables = hidden::Observables::A};
+      write_case(draw_case(wish), *shared_ / fmt::format("{}", k), hidden::Foretold::nothing);
+    }
+  }
+  static void TearDownTestSuite() { shared_.reset(); }
+
+  SmallSet() {
+    for (int k = 0; k < 40; ++k) {
+      auto const kind = k < 12 ? "clean" : k < 28 ? "single" : k < 34 ? "double" : "unknown";
+      add(fmt::format("{:02}", k), kind, k);
+    }
+  }
+
+  void add(std::string const& name, std::string const& kind, int k) {
+    auto const folder = scratch_ / name;
+    std::filesystem::create_directories(folder / "sealed");
+    std::filesystem::create_directories(folder / "diagnosis");
+    Json truth = {{"class", kind}, {"observables", "D"}, {"lambda", 16.2}, {"separation", 9.0}};
+    truth["effects"] = Json::array();
+    static constexpr char const* known[] = {"frame_compliance", "wall_friction", "mass_error",
+                                            "breakage"};
+    double const size = 1.0 + 0.1 * (k % 3);
+    if (kind == "single" || kind == "double")
+      truth["effects"].push_back({{"name", known[k % 4]}, {"size", size}});
+    if (kind == "double")
+      truth["effects"].push_back({{"name", known[(k + 1) % 4]}, {"size", size}});
+    if (kind == "unknown")
+      truth["effects"].push_back({{"name", "stick_slip"}, {"size", size}});
+    std::ofstream(folder / "sealed/truth.json") << truth;
+    std::ofstream(folder / "good.json") << good_answer(truth);
+  }
+
+  /// What a diagnoser says that sees the truth through a haze of 5 %.
+  static Json good_answer(Json const& truth) {
+    std::string const kind = truth["class"];
+    Json answer = {{"verdict", kind == "clean"     ? "consistent"
+                               : kind == "unknown" ? "unknown"
+                                                   : "named"},
+                   {"causes", Json::array()},
+                   {"group", Json::array()}};
+    if (answer["verdict"] != "named")
+      return answer;
+    for (auto const& effect : truth["effects"]) {
+      double const size = 1.02 * effect["size"].get<double>();
+      Json const parameter = {
+          {"name", "size"}, {"value", size}, {"low", 0.9 * size}, {"high", 1.1 * size}};
+      answer["causes"].push_back({{"name", effect["name"]},
+                                  {"probability", 0.97},
+                                  {"parameters", Json::array({parameter})}});
+    }
+    return answer;
+  }
+
+  bool passes(std::string_view diagnoser) {
+    int k = 0;
+    for (auto const& name : names()) {
+      auto const folder = scratch_ / name;
+      // Clean data for the clean, the others' for the others.
+      auto const data = *shared_ / fmt::format("{}/data", (k < 12 ? 0 : 2) + k % 2);
+      auto const answer = diagnoser == "good"
+                              ? Json::parse(support::bytes_of(folder / "good.json"))
+                              : broken::diagnose(diagnoser, data, folder / "good.json");
+      std::ofstream(folder / "diagnosis/diagnosis.json") << answer;
+      ++k;
+    }
+    bool holds = true;
+    for (auto const& bar : judging::hold_bars(judging::read_cases(scratch_.path())))
+      holds = holds && bar.holds;
+    return holds;
+  }
+
+  std::vector<std::string> names() const {
+    auto all = scratch_.names();
+    std::ranges::sort(all);
+    return all;
+  }
+
+  support::ScratchFolder scratch_;
+  inline static std::unique_ptr<support::ScratchFolder> shared_;
+};
+
+TEST_F(SmallSet, PassesAGoodDiagnoser) {
+  EXPECT_TRUE(passes("good"));
+}
+
+class Broken : public SmallSet, public testing::WithParamInterface<int> {};
+TEST_P(Broken, FailsABar) {
+  EXPECT_FALSE(passes(broken::names()[static_cast<std::size_t>(GetParam())]));
+}
+INSTANTIATE_TEST_SUITE_P(All, Broken, testing::Range(0, static_cast<int>(broken::names().size())),
+                         [](auto const& at) {
+                           return std::string(broken::names()[static_cast<std::size_t>(at.param)]);
+                         });
+
+// It reads: with E half as high again the peak is 12 kN higher.
+TEST_F(SmallSet, HasAPeakReaderThatReads) {
+  hidden::Wish wish{.seed = 1,
+                    .kind = hidden::CaseClass::single,
+                    .observables = hidden::Observables::A,
+                    .causes = {hidden::Effect::young_modulus}};
+  wish.relative_size = 2.0;
+  write_case(draw_case(wish), scratch_ / "stiff", hidden::Foretold::nothing);
+  auto const answer = broken::diagnose("peak", scratch_ / "stiff/data", {});
+  ASSERT_EQ(answer["verdict"], "named");
+  EXPECT_EQ(answer["causes"][0]["name"], "young_modulus");
+}
+
+TEST_F(SmallSet, WithoutAnAnswerIsNoSet) {
+  EXPECT_THROW(judging::read_cases(scratch_.path()), std::runtime_error);
+}
+
+} // namespace
