@@ -2,6 +2,7 @@
 
 #include "coupling/case.hpp"
 #include "coupling/elastic/tool_coupling.hpp"
+#include "coupling/peak_state.hpp"
 #include "coupling/press_programme.hpp"
 #include "coupling/press_tally.hpp"
 #include "coupling/record/press_record.hpp"
@@ -24,6 +25,7 @@ struct Press {
   PressRecord record;
   PressTally tally;
   LoadCell load_cell;
+  PeakState peak;
   ToolCoupling coupling; ///< of grains and deformable tools; rigid ones need none
   double grain_mass =
       0.0; ///< [kg], of all grains; kept, because a sum in another order is another number
@@ -72,6 +74,7 @@ template <class Writer> void Press::save(Writer&& write) {
   visit_record(record, programme.stages(), write);
   tally.visit_state(write);
   load_cell.visit_state(write);
+  peak.visit_state(write);
   write("grains/total_mass", grain_mass);
 }
 
@@ -85,6 +88,7 @@ template <class Reader> void Press::load(Reader&& read) {
   visit_record(record, programme.stages(), read);
   tally.visit_state(read);
   load_cell.visit_state(read);
+  peak.visit_state(read);
   read("grains/total_mass", grain_mass);
 }
 

@@ -85,6 +85,7 @@ void PressCycle::step() {
   dem::advance_ahead(world, dt);
   press_.programme.step_done(world);
   press_.coupling.step_done(world, punch_gap(world, press_.programme.faces()), dt);
+  keep_peak();
   guard_step(world);
 
   double const force = squeezing_force(tool_named(world, "upper_punch"));
@@ -100,6 +101,12 @@ void PressCycle::step() {
   tally.axial_impulse += 0.5 * dt * (tally.axial_force + axial);
   tally.axial_force = axial;
   tally.throughput += dt * std::abs(force);
+}
+
+void PressCycle::keep_peak() {
+  double const force = press_.coupling.peak_force();
+  if (force > press_.peak.force)
+    press_.peak.keep(press_.world, force);
 }
 
 void PressCycle::record_if_due() {
@@ -183,6 +190,7 @@ void PressCycle::write_stress_if_due() {
 void PressCycle::finish_stage() {
   PressProgramme& programme = press_.programme;
   press_.coupling.end_window(press_.world);
+  keep_peak();
   dem::complete_step(press_.world);
   std::string const name = programme.stage().name;
   bool const is_free = programme.stage().kind == StageKind::free;

@@ -30,6 +30,7 @@ private:
   void begin();
   void start_stage();
   void step();
+  void keep_peak();
   void record_if_due();
   void save_if_due();
   void write_stress_if_due();

@@ -1,5 +1,6 @@
 #include "coupling/compare/kept_observed.hpp"
 #include "coupling/compare/source.hpp"
+#include "coupling/elastic/stressed_surface.hpp"
 #include "coupling/grain_fields.hpp"
 #include "coupling/press_measures.hpp"
 #include "coupling/press_output.hpp"
@@ -45,6 +46,29 @@ std::vector<ToolOutline> outline_tools(Press const& press) {
   return outlines;
 }
 
+/// Deformable tools under the loads of the largest force, with the grains as they stood.
+StressPicture picture_stress(Press const& press) {
+  PeakState const& peak = press.peak;
+  StressPicture picture{.grains = {}, .tools = {}, .time = peak.time};
+  if (peak.force == 0.0)
+    return picture;
+  for (std::size_t i = 0; i < peak.position.size(); ++i)
+    picture.grains.push_back({.position = peak.position[i],
+                              .radius = peak.radius[i],
+                              .component = peak.material[i],
+                              .mean_overlap = 0.0,
+                              .stress = 0.0});
+  for (std::size_t t = 0; t < press.coupling.n_tools(); ++t) {
+    YieldingTool const& tool = press.coupling.tool(t);
+    auto surface = stressed_surface(tool, press.coupling.peak_load(t));
+    for (dem::Vec3& x : surface.vertices)
+      x += peak.tools[t];
+    picture.tools.push_back({tool.name, std::move(surface.vertices), std::move(surface.triangles),
+                             std::move(surface.von_mises)});
+  }
+  return picture;
+}
+
 std::vector<ProvenanceEntry> provenance(Press const& press) {
   Case const& setup = press.setup;
   return {{"program", fmt::format("presscheck {}", PRESSCHECK_VERSION)},
@@ -71,6 +95,7 @@ void write_press_report(Press const& press, std::filesystem::path const& file) {
       stages.empty() ? "before the first stage"
                      : fmt::format("at t = {:.6g} s, stage {}", press.world.time, stages.back());
   data.tools = outline_tools(press);
+  data.stressed = picture_stress(press);
   data.provenance = provenance(press);
   data.resolved_case = press.setup.resolved_text;
   data.observed = kept_observed(file.parent_path());

@@ -78,6 +78,7 @@ Press empty_press(Case const& setup) {
               .record = PressRecord(curve_columns()),
               .tally = {},
               .load_cell = LoadCell(setup.load_cell),
+              .peak = {},
               .coupling = {}};
   put_tools(press);
   tool_named(press.world, "upper_punch").displacement.z() += setup.frame.gap_offset;

@@ -87,6 +87,8 @@ public:
   bool is_between_windows() const { return steps_ == 0 && checks_.windows > 0; }
   /// Nodal loads of a tool [N], mean of the last window.
   Eigen::Matrix3Xd const& last_load(std::size_t t) const { return courses_[t].last_load; }
+  /// Largest punch force of a window so far [N].
+  double peak_force() const { return peak_force_; }
   /// Nodal loads of a tool [N] in the window whose punch force was largest.
   Eigen::Matrix3Xd const& peak_load(std::size_t t) const { return courses_[t].peak_load; }
 

@@ -14,6 +14,7 @@ add_custom_command(
           ${CMAKE_CURRENT_LIST_DIR}/report.css
           ${CMAKE_CURRENT_LIST_DIR}/report.html.in
           ${CMAKE_CURRENT_LIST_DIR}/report.js
+          ${CMAKE_CURRENT_LIST_DIR}/stressed_view.js
           ${CMAKE_CURRENT_LIST_DIR}/study.css
           ${CMAKE_CURRENT_LIST_DIR}/study.html.in
           ${CMAKE_CURRENT_LIST_DIR}/study.js

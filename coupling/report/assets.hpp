@@ -11,6 +11,7 @@ extern std::string_view const style;          ///< report.css
 extern std::string_view const charts;         ///< charts.js
 extern std::string_view const compact_view;   ///< compact_view.js
 extern std::string_view const compact_shader; ///< compact_shader.js
+extern std::string_view const stressed_view;  ///< stressed_view.js
 extern std::string_view const report_script;  ///< report.js
 extern std::string_view const compare_script; ///< compare.js
 extern std::string_view const study_page;     ///< study.html.in

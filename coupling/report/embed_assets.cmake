@@ -3,6 +3,7 @@
 set(source "// Generated from the files of coupling/report.\n#include \"coupling/report/assets.hpp\"\n\nnamespace coupling::assets {\n")
 foreach(entry IN ITEMS "report_page report.html.in" "compare_page compare.html.in" "style report.css" "charts charts.js"
                        "compact_view compact_view.js" "compact_shader compact_shader.js" "report_script report.js"
+                       "stressed_view stressed_view.js"
                        "compare_script compare.js" "study_page study.html.in" "study_style study.css"
                        "study_plots study_plots.js" "surface_plot surface_plot.js" "study_script study.js")
   separate_arguments(entry)

@@ -134,6 +134,26 @@ std::string grains_json(std::span<PicturedGrain const> grains) {
                      encode_base64(std::as_bytes(std::span(component))));
 }
 
+std::string stressed_json(StressPicture const& picture) {
+  auto const packed = [](auto const& numbers) {
+    return encode_base64(std::as_bytes(std::span(numbers)));
+  };
+  std::string out = fmt::format(R"({{"grains":{},"tools":[)", grains_json(picture.grains));
+  for (PicturedTool const& tool : picture.tools) {
+    std::vector<float> places;
+    for (dem::Vec3 const& x : tool.vertices)
+      for (int c = 0; c < 3; ++c)
+        places.push_back(static_cast<float>(x[c]));
+    std::vector<float> const stress(tool.von_mises.begin(), tool.von_mises.end());
+    if (&tool != &picture.tools.front())
+      out += ',';
+    out +=
+        fmt::format(R"({{"name":{},"vertices":"{}","triangles":"{}","von_mises":"{}"}})",
+                    json_text(tool.name), packed(places), packed(tool.triangles), packed(stress));
+  }
+  return out + "]}";
+}
+
 std::string report_json(ReportData const& data) {
   std::string out =
       "{\"record\":" + record_json(data.record) + ",\"grains\":" + grains_json(data.grains);
@@ -146,6 +166,8 @@ std::string report_json(ReportData const& data) {
     }
     out += ']';
   };
+  if (!data.stressed.tools.empty())
+    out += ",\"stressed\":" + stressed_json(data.stressed);
   append_list("components", data.components,
               [&](std::string const& name) { out += json_text(name); });
   append_list("tools", data.tools, [&](ToolOutline const& tool) {

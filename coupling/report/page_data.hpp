@@ -32,6 +32,10 @@ std::string grains_json(std::span<PicturedGrain const> grains);
 std::vector<std::size_t> grains_to_draw(std::span<PicturedGrain const> grains,
                                         std::size_t most = 250000);
 
+/// {"grains": as grains_json, "tools": [{"name", "vertices": base64 of 32-bit floats x y z [m],
+/// "triangles": base64 of 32-bit indices, "von_mises": base64 of 32-bit floats [Pa]}]}
+std::string stressed_json(StressPicture const& picture);
+
 /// Everything report.js reads.
 std::string report_json(ReportData const& data);
 

@@ -4,6 +4,7 @@
 #include "coupling/report/script_library.hpp"
 #include "dem/vec3.hpp"
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <limits>
@@ -29,6 +30,21 @@ struct ToolOutline {
   double radius; ///< [m]
   double bottom; ///< [m], z
   double top;    ///< [m], z; equal to `bottom` for a face
+};
+
+/// The surface of a tool with the stress on it, where it stands.
+struct PicturedTool {
+  std::string name;
+  std::vector<dem::Vec3> vertices; ///< [m]
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<double> von_mises; ///< [Pa], of each vertex
+};
+
+/// The tools at the largest force, and the grains then.
+struct StressPicture {
+  std::vector<PicturedGrain> grains;
+  std::vector<PicturedTool> tools; ///< empty: there is no such picture
+  double time = 0.0;               ///< [s]
 };
 
 /// A line "key: value" about where the numbers come from.
@@ -65,6 +81,7 @@ struct ReportData {
   std::string
       grains_moment; ///< when the picture was taken, in words: "at the end of stage release"
   std::vector<ToolOutline> tools;
+  StressPicture stressed;
   std::vector<ObservedValue> observed;
   std::vector<ComparedValue> comparison;
   std::vector<ProvenanceEntry> provenance;

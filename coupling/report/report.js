@@ -71,10 +71,8 @@ function drawCharts() {
 const colourings = {stress: ['mean stress of a grain', 'Pa'], overlap: ['mean overlap of a grain', 'm'],
                     radius: ['grain radius', 'm'], component: ['component', '']};
 
-function drawBar(bar, colouring) {
-  const box = document.getElementById('compact-bar');
+function drawBar(box, bar, title, si) {
   box.replaceChildren();
-  const [title, si] = colourings[colouring];
   if (bar.keys) {
     element('div', {class: 'title'}, title, box);
     for (const key of bar.keys) {
@@ -103,10 +101,23 @@ function describeGrain(view, g) {
           show('stress', 'stress')].join(', ');
 }
 
+function connectKeys(view) {
+  const canvas = view.canvas;
+  canvas.addEventListener('keydown', event => {
+    const act = {ArrowLeft: () => view.turn(-0.1, 0), ArrowRight: () => view.turn(0.1, 0), ArrowUp: () => view.turn(0, 0.1),
+                 ArrowDown: () => view.turn(0, -0.1), '+': () => view.zoom(0.9), '-': () => view.zoom(1 / 0.9)}[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  });
+  canvas.addEventListener('focus', () => { view.controls.enableZoom = true; });
+  canvas.addEventListener('blur', () => { view.controls.enableZoom = false; });
+}
+
 function connectControls(view) {
   const find = id => document.getElementById('compact-' + id);
   const canvas = view.canvas, note = find('note');
-  const colour = () => drawBar(view.colourBy(find('colour').value), find('colour').value);
+  const colour = () => drawBar(find('bar'), view.colourBy(find('colour').value), ...colourings[find('colour').value]);
   const cut = () => {
     view.cut(find('axis').value, find('cut').value / 100);
     find('cut').setAttribute('aria-valuetext', `${find('cut').value} per cent`);
@@ -121,15 +132,7 @@ function connectControls(view) {
     cut();
     view.reset();
   });
-  canvas.addEventListener('keydown', event => {
-    const act = {ArrowLeft: () => view.turn(-0.1, 0), ArrowRight: () => view.turn(0.1, 0), ArrowUp: () => view.turn(0, 0.1),
-                 ArrowDown: () => view.turn(0, -0.1), '+': () => view.zoom(0.9), '-': () => view.zoom(1 / 0.9)}[event.key];
-    if (!act) return;
-    event.preventDefault();
-    act();
-  });
-  canvas.addEventListener('focus', () => { view.controls.enableZoom = true; });
-  canvas.addEventListener('blur', () => { view.controls.enableZoom = false; });
+  connectKeys(view);
   canvas.addEventListener('pointerdown', event => { canvas.focus(); view.pressedAt = [event.clientX, event.clientY]; });
   canvas.addEventListener('pointerup', event => {
     const [x, y] = view.pressedAt || [NaN, NaN];
@@ -156,7 +159,24 @@ function drawCompact() {
   }
 }
 
+/** The tools at the largest force, cut open. */
+function drawStressedTools() {
+  if (!facts.stressed) return null;
+  try {
+    const view = new StressedView(document.getElementById('tools-canvas'), facts.stressed);
+    connectKeys(view);
+    view.canvas.addEventListener('pointerdown', () => view.canvas.focus());
+    drawBar(document.getElementById('tools-bar'), view.bar, 'von Mises stress', 'Pa');
+    root.dataset.stressed = view.triangles;
+    return view;
+  } catch (problem) {
+    document.getElementById('tools-note').textContent = problem.message;
+    return null;
+  }
+}
+
 drawCharts();
+const stressedView = drawStressedTools();
 const compactView = drawCompact();
 root.dataset.charts = chartCount;
 root.dataset.points = points;

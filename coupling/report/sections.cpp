@@ -161,7 +161,24 @@ std::string checks_html(std::span<Check const> checks) {
   return table_html(header, rows);
 }
 
-std::string tools_html(std::span<ToolSummary const> tools) {
+namespace {
+
+/// Where report.js draws the tools.
+std::string stressed_html(StressPicture const& picture) {
+  if (picture.tools.empty())
+    return "";
+  return fmt::format(
+      "<h3>At the largest force <small>{}, cut open, grains as they stood</small></h3>"
+      "<div class=\"stage\"><canvas id=\"tools-canvas\" tabindex=\"0\" role=\"img\" "
+      "aria-label=\"The stressed tools in three dimensions. Arrow keys turn them, plus "
+      "and minus zoom.\"></canvas><div id=\"tools-bar\" class=\"bar\"></div>"
+      "<p id=\"tools-note\" class=\"note\" role=\"status\"></p></div>",
+      format_quantity(picture.time, "s"));
+}
+
+} // namespace
+
+std::string tools_html(std::span<ToolSummary const> tools, StressPicture const& picture) {
   std::vector<TableRow> rows;
   for (auto const& t : tools) {
     if (!std::isfinite(t.max_von_mises))
@@ -190,7 +207,8 @@ std::string tools_html(std::span<ToolSummary const> tools) {
          table_html(header, rows) +
          "<p class=\"quiet\">The last column is the share of a wall contact's compliance that the "
          "contact law already gives to the tool (Tooling/Young's modulus); where grains dent the "
-         "elastic body as well, it counts twice.</p></section>";
+         "elastic body as well, it counts twice.</p>" +
+         stressed_html(picture) + "</section>";
 }
 
 std::string comparison_html(std::span<ComparedValue const> compared) {

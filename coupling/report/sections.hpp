@@ -31,7 +31,7 @@ std::string run_in_words(ReportData const& data);
 std::string summary_html(Summary const& summary);
 std::string checks_html(std::span<Check const> checks);
 /// What deformable tools bore at the peak; nothing if they were rigid.
-std::string tools_html(std::span<ToolSummary const> tools);
+std::string tools_html(std::span<ToolSummary const> tools, StressPicture const& picture);
 std::string comparison_html(std::span<ComparedValue const> rows);
 std::string observed_html(std::span<ObservedValue const> rows);
 std::string provenance_html(std::span<ProvenanceEntry const> entries);
