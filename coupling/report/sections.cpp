@@ -168,7 +168,7 @@ std::string stressed_html(StressPicture const& picture) {
   if (picture.tools.empty())
     return "";
   return fmt::format(
-      "<h3>At the largest force <small>{}, cut open, grains as they stood</small></h3>"
+      "<h3>At the largest force <small>t = {}, cut open, grains as they stood</small></h3>"
       "<div class=\"stage\"><canvas id=\"tools-canvas\" tabindex=\"0\" role=\"img\" "
       "aria-label=\"The stressed tools in three dimensions. Arrow keys turn them, plus "
       "and minus zoom.\"></canvas><div id=\"tools-bar\" class=\"bar\"></div>"

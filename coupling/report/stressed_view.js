@@ -54,7 +54,9 @@ class StressedView extends CompactView {
       geometry.setIndex(new THREE.BufferAttribute(index, 1));
       const material = new THREE.ShaderMaterial({
         vertexShader: toolVertexShader, fragmentShader: toolFragmentShader, side: THREE.DoubleSide,
-        uniforms: {cut: this.material.uniforms.cut}, extensions: {derivatives: true}});
+        uniforms: {cut: this.material.uniforms.cut}, extensions: {derivatives: true},
+        // The sides of the punches lie in the bore: the first tool, the die, stands behind them.
+        polygonOffset: t === 0, polygonOffsetFactor: 4, polygonOffsetUnits: 4});
       const mesh = new THREE.Mesh(geometry, material);
       mesh.frustumCulled = false;
       this.scene.add(mesh);

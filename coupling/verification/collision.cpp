@@ -132,14 +132,14 @@ std::vector<Benchmark> plastic() {
     setup.recipe.law.yield_pressure = strength;
     std::string const name = ratio == 2.0 ? "twice" : "20_times";
     ImpactResult const found = collide(setup);
-    rows.push_back(compare("thornton_ning/restitution_at_" + name + "_yield",
+    rows.push_back(compare("plastic/thornton_ning_at_" + name + "_yield",
                            thornton_ning_restitution(1.0 / ratio),
                            found.separation_speed / impact.speed, 2e-5,
                            "Thornton and Ning (1998), the closed form there"));
   }
   setup.recipe.law.normal = "edinburgh";
   setup.recipe.law.plasticity_ratio = 0.6;
-  rows.push_back(compare("edinburgh/restitution", edinburgh_restitution(0.6),
+  rows.push_back(compare("plastic/edinburgh", edinburgh_restitution(0.6),
                          collide(setup).separation_speed / impact.speed, 2e-5,
                          "integral of the branches of Thakur et al. (2014)"));
   return rows;

@@ -5,8 +5,8 @@
 const note = (name, value) => { document.documentElement.dataset[name] = String(value); };
 const byId = id => document.getElementById(id);
 
-function picture() {
-  const canvas = byId('compact-canvas'), gl = canvas.getContext('webgl2');
+function picture(id = 'compact-canvas') {
+  const canvas = byId(id), gl = canvas.getContext('webgl2');
   const pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
   gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
   return new Uint32Array(pixels.buffer);
@@ -41,6 +41,14 @@ function drag(node, [fromX, fromY], [toX, toY], Type, names) {
   fire(names[1], (fromX + toX) / 2, (fromY + toY) / 2, 1);
   fire(names[1], toX, toY, 1);
   fire(names[2], toX, toY, 0);
+}
+
+/** How much of the picture the tools take, and their colour bar. */
+function lookAtTheTools() {
+  if (!byId('tools-canvas')) return;
+  const seen = picture('tools-canvas'), background = seen[0];
+  note('stressedPainted', (100 * seen.filter(p => p !== background).length / seen.length).toFixed(2));
+  note('barVonMises', byId('tools-bar').textContent);
 }
 
 function useTheCompact() {
@@ -104,6 +112,7 @@ function lookAtThePage() {
 
 try {
   lookAtThePage();
+  lookAtTheTools();
   if (document.documentElement.dataset.grains) useTheCompact();
   if (document.querySelector('#force-time svg')) useTheCharts();
   note('driven', 'to the end');

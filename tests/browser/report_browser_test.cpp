@@ -50,6 +50,18 @@ TEST_F(ReportInBrowser, ShowsAllChartsAndGrainsWithoutNetworkOrErrors) {
   EXPECT_EQ(page.note("bad-text"), "0");
 }
 
+TEST_F(ReportInBrowser, DrawsTheStressedTools) {
+  auto data = sample::report_data();
+  data.summary.tools = {{.name = "upper_punch", .max_von_mises = 40e6}};
+  data.stressed = sample::stress_picture();
+  auto const page = use(data);
+  EXPECT_EQ(page.console, "");
+  EXPECT_EQ(page.note("driven"), "to the end");
+  EXPECT_EQ(page.note("stressed"), "4"); // triangles
+  expect_between(page, "stressed-painted", 2.0, 60.0);
+  EXPECT_NE(page.note("bar-von-mises").find("von Mises stress [MPa]"), std::string::npos);
+}
+
 TEST_F(ReportInBrowser, TurnsCutsAndColoursTheCompact) {
   auto const page = use(sample::report_data());
   ASSERT_EQ(page.note("driven"), "to the end");

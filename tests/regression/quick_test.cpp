@@ -64,6 +64,7 @@ TEST(QuickCase, GivesItsKnownResultsAndHoldsTheContract) {
   for (auto const* file : {"tools.pvd", "grains.pvd", "report.html", "run.h5", "geometry/die.stl",
                            "restart_stage_release.h5", "snapshots/die_peak.vtu"})
     EXPECT_TRUE(fs::exists(folder / file)) << file;
+  EXPECT_NE(support::bytes_of(folder / "report.html").find("tools-canvas\""), std::string::npos);
   // A frame of stress per 10 ms while a tool is there: the die is released after 100 of 150 ms.
   EXPECT_EQ(frames_of(folder, "die"), 9u);
   EXPECT_EQ(frames_of(folder, "lower_punch"), 14u);

@@ -83,6 +83,17 @@ inline std::vector<coupling::PicturedGrain> grains(int n = 3000) {
   return grains;
 }
 
+/// A tetrahedron over the bed as a stressed tool.
+inline coupling::StressPicture stress_picture() {
+  coupling::PicturedTool const tool{
+      .name = "upper_punch",
+      .vertices = {dem::Vec3(-8e-3, -8e-3, 10e-3), dem::Vec3(8e-3, -8e-3, 10e-3),
+                   dem::Vec3(0.0, 9e-3, 10e-3), dem::Vec3(0.0, 0.0, 20e-3)},
+      .triangles = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}},
+      .von_mises = {10e6, 20e6, 30e6, 40e6}};
+  return {.grains = grains(500), .tools = {tool}, .time = 0.06};
+}
+
 inline coupling::ReportData report_data() {
   coupling::ReportData data;
   data.title = "E0250_CED5_D500: MgO and alumina, rigid tools";

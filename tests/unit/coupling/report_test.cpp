@@ -168,6 +168,29 @@ TEST(GrainsJson, PacksSixFloatsAGrain) {
   EXPECT_EQ(json["of"], 1);
 }
 
+TEST(StressedJson, PacksPlacesTrianglesAndStress) {
+  auto const json = nlohmann::json::parse(coupling::stressed_json(sample::stress_picture()));
+  EXPECT_EQ(json.at("grains").at("shown"), 500);
+  auto const& tool = json.at("tools").at(0);
+  EXPECT_EQ(tool.at("name"), "upper_punch");
+  // Bytes: 4 vertices of 3 floats, 4 triangles of 3 indices, 4 floats; base64 has 4/3 of them.
+  EXPECT_EQ(tool.at("vertices").get<std::string>().size(), 64u);
+  EXPECT_EQ(tool.at("triangles").get<std::string>().size(), 64u);
+  // 10, 20, 30, 40 MPa as little-endian floats.
+  std::vector<float> const stress{10e6f, 20e6f, 30e6f, 40e6f};
+  EXPECT_EQ(tool.at("von_mises"), coupling::encode_base64(std::as_bytes(std::span(stress))));
+}
+
+TEST_F(ReportFile, HasAPlaceForStressedToolsWhereThereAreAny) {
+  auto data = sample::report_data();
+  EXPECT_EQ(page_of(data).find("tools-canvas\""), std::string::npos);
+  data.summary.tools = {{.name = "upper_punch", .max_von_mises = 40e6}};
+  data.stressed = sample::stress_picture();
+  auto const page = page_of(data);
+  EXPECT_NE(page.find("tools-canvas\""), std::string::npos);
+  EXPECT_NE(page.find("t = 60.00 ms, cut open"), std::string::npos);
+}
+
 TEST_F(ReportFile, NeedsNothingFromOutside) {
   auto const page = page_of(sample::report_data());
   EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
