@@ -151,10 +151,15 @@ TEST(CommandLine, AnUnwritableFolderIsRefused) {
 TEST(CommandLine, AFullDiskIsAFailureInOneLineAndKeepsTheLastRestart) {
   ScratchFolder scratch;
   auto const folder = (scratch / "out").string();
-  // 260 blocks of 512 bytes, 133 kB: the restart after loading fits (125 kB), the next one does not
-  // (139 kB).
-  auto const outcome = program::run_after(
-      "ulimit -f 260", {"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1"});
+  // Blocks of 512 bytes, half way between the restart after loading, which fits, and the next one.
+  fs::path const roomy = scratch / "roomy";
+  ASSERT_EQ(run({"run", tiny_case(), "-o", roomy.string(), "--quiet", "--threads", "1"}).status, 0);
+  auto const fits = fs::file_size(roomy / "restart_stage_loading.h5");
+  auto const bursts = fs::file_size(roomy / "restart_stage_unloading.h5");
+  ASSERT_GT(bursts, fits + 4096);
+  auto const limit = "ulimit -f " + std::to_string((fits + bursts) / 2 / 512);
+  auto const outcome =
+      program::run_after(limit, {"run", tiny_case(), "-o", folder, "--quiet", "--threads", "1"});
   EXPECT_EQ(outcome.status, 1);
   EXPECT_EQ(std::ranges::count(outcome.error, '\n'), 1) << outcome.error;
   EXPECT_NE(outcome.error.find("restart_stage_unloading.h5"), std::string::npos) << outcome.error;
