@@ -23,10 +23,9 @@ constexpr std::array annotations = {"unit", "range", "description", "default"};
 /// keys and no lines.
 class JsonScanner : public nlohmann::json_sax<nlohmann::json> {
 public:
-  JsonScanner(std::string_view text, std::string const& name)
-      : name_(name), counted_(text.data()) {}
+  JsonScanner(std::string_view text, std::string const& name) : name_(name), text_(text) {}
 
-  char const** furthest() { return &furthest_; }
+  WatchedText& text() { return text_; }
   std::vector<Assignment> finish() { return std::move(assignments_); }
 
   bool null() override { return value("null"); }
@@ -59,7 +58,7 @@ public:
   bool end_array() override { return true; }
   bool key(string_t& name) override {
     key_ = name;
-    key_line_ = line();
+    key_line_ = text_.line();
     return true;
   }
   bool parse_error(std::size_t, std::string const& read_so_far,
@@ -72,18 +71,10 @@ public:
                                   : read_so_far.substr(last_line + line_end.size());
     throw dem::InvalidInput(
         fmt::format("{}:{}: is no JSON at '{}'. Is a comma, quote or bracket missing or left over?",
-                    name_, line(), quote(token)));
+                    name_, text_.line(), quote(token)));
   }
 
 private:
-  int line() {
-    // The parser has read one byte past a number, and just the quote that ends a text.
-    char const* const end = furthest_ == nullptr ? counted_ : std::max(counted_, furthest_ - 1);
-    line_ += static_cast<int>(std::count(counted_, end, '\n'));
-    counted_ = end;
-    return line_;
-  }
-
   std::string where() const { return fmt::format("{}:{}", name_, key_line_); }
   std::string path() const {
     return sections_.empty() || sections_.back().empty()
@@ -123,9 +114,7 @@ private:
   }
 
   std::string const& name_;
-  char const* furthest_ = nullptr;
-  char const* counted_;
-  int line_ = 1;
+  WatchedText text_;
   int key_line_ = 1;
   std::string key_;
   std::vector<std::string> sections_;
@@ -138,9 +127,7 @@ private:
 std::vector<Assignment> scan_json(std::string_view text, std::string const& name) {
   check_is_text(text, name);
   JsonScanner scanner(text, name);
-  WatchedByte const begin(text.data(), scanner.furthest());
-  WatchedByte const end(text.data() + text.size(), scanner.furthest());
-  nlohmann::json::sax_parse(begin, end, &scanner);
+  nlohmann::json::sax_parse(scanner.text().begin(), scanner.text().end(), &scanner);
   return scanner.finish();
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <iterator>
+#include <string_view>
 
 namespace coupling {
 
@@ -31,6 +33,30 @@ public:
 private:
   char const* at_ = nullptr;
   char const** furthest_ = nullptr;
+};
+
+/// A text that knows how far its parser has come.
+class WatchedText {
+public:
+  explicit WatchedText(std::string_view text) : text_(text), counted_(text.data()) {}
+
+  WatchedByte begin() { return {text_.data(), &furthest_}; }
+  WatchedByte end() { return {text_.data() + text_.size(), &furthest_}; }
+
+  /// The line, from 1, of what the parser has just understood: it has read one byte past a number,
+  /// and just the quote that ends a text.
+  int line() {
+    char const* const end = furthest_ == nullptr ? counted_ : std::max(counted_, furthest_ - 1);
+    line_ += static_cast<int>(std::count(counted_, end, '\n'));
+    counted_ = end;
+    return line_;
+  }
+
+private:
+  std::string_view text_;
+  char const* counted_;
+  char const* furthest_ = nullptr;
+  int line_ = 1;
 };
 
 } // namespace coupling

@@ -1,5 +1,7 @@
 #include "coupling/measured/lab_numbers.hpp"
 
+#include "coupling/trimmed.hpp"
+
 #include <algorithm>
 #include <array>
 

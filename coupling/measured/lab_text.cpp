@@ -1,5 +1,6 @@
 #include "coupling/measured/lab_text.hpp"
 
+#include "coupling/trimmed.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -61,14 +62,6 @@ void refuse_other_bytes(std::string_view bytes, std::string const& name) {
 }
 
 } // namespace
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  auto const first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos)
-    return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 LabText parse_lab_text(std::string_view bytes, std::string const& name) {
   refuse_other_bytes(bytes, name);

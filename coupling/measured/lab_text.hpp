@@ -23,8 +23,6 @@ struct LabText {
 /// @throws dem::InvalidInput  for an empty file, UTF-16, bytes that are no text
 LabText parse_lab_text(std::string_view bytes, std::string const& name);
 
-std::string trimmed(std::string_view text);
-
 /// A row's fields without quotes and surrounding blanks. A quote that does not close ends with
 /// the row.
 std::vector<std::string> split_fields(std::string_view line, char delimiter);

@@ -1,6 +1,7 @@
 #include "coupling/measured/lab_words.hpp"
 
 #include "coupling/measured/lab_text.hpp"
+#include "coupling/trimmed.hpp"
 
 #include <algorithm>
 #include <array>

@@ -18,11 +18,11 @@ using Kind = PlacedJson::Kind;
 /// first of two equal keys.
 class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
 public:
-  TreeBuilder(std::string_view text, std::string const& file) : file_(file), counted_(text.data()) {
+  TreeBuilder(std::string_view text, std::string const& file) : file_(file), text_(text) {
     root_.file = file;
   }
 
-  char const** furthest() { return &furthest_; }
+  WatchedText& text() { return text_; }
   PlacedJson finish() { return std::move(root_); }
 
   bool null() override { return leaf(Kind::null, "null"); }
@@ -46,28 +46,21 @@ public:
   bool key(string_t& name) override {
     if (auto const* const first = open_.back()->find(name))
       throw dem::InvalidInput(
-          fmt::format("{}:{}: '{}' is set twice (first on line {}). Remove one?", file_, line(),
-                      quote(first->path), first->line));
+          fmt::format("{}:{}: '{}' is set twice (first on line {}). Remove one?", file_,
+                      text_.line(), quote(first->path), first->line));
     key_ = name;
     return true;
   }
 
   bool parse_error(std::size_t, std::string const&, nlohmann::detail::exception const&) override {
-    throw dem::InvalidInput(fmt::format(
-        "{}:{}: is no JSON. Is a comma, quote or bracket missing or left over?", file_, line()));
+    throw dem::InvalidInput(
+        fmt::format("{}:{}: is no JSON. Is a comma, quote or bracket missing or left over?", file_,
+                    text_.line()));
   }
 
 private:
-  int line() {
-    // The parser has read one byte past a number, and just the quote that ends a text.
-    char const* const end = furthest_ == nullptr ? counted_ : std::max(counted_, furthest_ - 1);
-    line_ += static_cast<int>(std::count(counted_, end, '\n'));
-    counted_ = end;
-    return line_;
-  }
-
   PlacedJson& add(Kind kind, std::string text) {
-    PlacedJson node{.kind = kind, .file = file_, .line = line(), .text = std::move(text)};
+    PlacedJson node{.kind = kind, .file = file_, .line = text_.line(), .text = std::move(text)};
     if (open_.empty())
       return root_ = std::move(node);
     PlacedJson& parent = *open_.back();
@@ -100,9 +93,7 @@ private:
   PlacedJson root_;
   std::vector<PlacedJson*> open_;
   std::string key_;
-  char const* counted_;
-  char const* furthest_ = nullptr;
-  int line_ = 1;
+  WatchedText text_;
 };
 
 } // namespace
@@ -123,8 +114,7 @@ PlacedJson parse_placed_json(std::string_view text, std::string const& file) {
   if (text.starts_with(byte_order_mark))
     text.remove_prefix(byte_order_mark.size());
   TreeBuilder builder(text, file);
-  nlohmann::json::sax_parse(WatchedByte(text.data(), builder.furthest()),
-                            WatchedByte(text.data() + text.size(), builder.furthest()), &builder);
+  nlohmann::json::sax_parse(builder.text().begin(), builder.text().end(), &builder);
   return builder.finish();
 }
 

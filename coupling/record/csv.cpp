@@ -1,5 +1,6 @@
 #include "coupling/record/csv.hpp"
 
+#include "coupling/trimmed.hpp"
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
@@ -9,14 +10,6 @@
 
 namespace coupling {
 namespace {
-
-std::string trimmed(std::string_view text) {
-  constexpr std::string_view blanks = " \t\r";
-  auto const first = text.find_first_not_of(blanks);
-  if (first == std::string_view::npos)
-    return {};
-  return std::string(text.substr(first, text.find_last_not_of(blanks) - first + 1));
-}
 
 std::vector<std::string> split_line(std::string_view line, std::string const& name,
                                     std::size_t number) {

@@ -1,8 +1,8 @@
 // clang-format off
 // fuzz-build: coupling/case_build.cpp coupling/case_checks.cpp coupling/case_contacts.cpp
 // fuzz-build: coupling/case_file.cpp coupling/case_print.cpp coupling/case_reader.cpp
-// fuzz-build: coupling/case_scan_json.cpp coupling/case_scan_prm.cpp coupling/case_schema.cpp
-// fuzz-build: coupling/case_schema_lookup.cpp coupling/case_stages.cpp coupling/case_text.cpp
+// fuzz-build: coupling/case_scan_*.cpp coupling/case_schema*.cpp
+// fuzz-build: coupling/case_stages.cpp coupling/case_text.cpp
 // fuzz-build: coupling/case_tool_shapes.cpp
 // fuzz-build: coupling/case_value.cpp coupling/nearest_name.cpp coupling/press_stages.cpp
 // fuzz-build: coupling/prm_lines.cpp coupling/quantity.cpp coupling/quote.cpp coupling/units.cpp

@@ -1,14 +1,5 @@
 // clang-format off
-// fuzz-build: coupling/measured/channel_kinds.cpp coupling/measured/clean_rows.cpp
-// fuzz-build: coupling/measured/clocks.cpp coupling/measured/curve_numbers.cpp
-// fuzz-build: coupling/measured/decimal_mark.cpp coupling/measured/json_values.cpp
-// fuzz-build: coupling/measured/lab_file.cpp coupling/measured/lab_header.cpp
-// fuzz-build: coupling/measured/lab_numbers.cpp coupling/measured/lab_text.cpp
-// fuzz-build: coupling/measured/lab_words.cpp coupling/measured/layout_entries.cpp
-// fuzz-build: coupling/measured/measured_data.cpp coupling/measured/measured_file.cpp
-// fuzz-build: coupling/measured/placed_json.cpp coupling/measured/read_measured.cpp
-// fuzz-build: coupling/measured/row_words.cpp coupling/measured/run_checks.cpp
-// fuzz-build: coupling/measured/run_reader.cpp coupling/measured/write_measured.cpp
+// fuzz-build: coupling/measured/*.cpp
 // fuzz-build: coupling/nearest_name.cpp coupling/quantity.cpp coupling/quote.cpp coupling/units.cpp
 // fuzz-build: coupling/record/atomic_file.cpp
 // fuzz-build: -lfmt
