@@ -64,6 +64,40 @@ double spike(LabTable const& table, std::vector<double> const& y, std::size_t k,
   return is_spike ? off : 0.0; // a gap among the neighbours makes `off` NaN, which is no spike
 }
 
+/// @return  whether there were any
+bool drop_clear_spikes(LabTable& table, std::span<Channel const> channels, TableName const& name) {
+  std::vector<bool> is_kept(table.size(), true);
+  std::size_t turn = table.size();
+  if (auto const gap = table.series.find("punch_gap"); gap != table.series.end())
+    for (std::size_t k = 0; k < table.size(); ++k)
+      if (std::isfinite(gap->second[k]) &&
+          (turn == table.size() || gap->second[k] < gap->second[turn]))
+        turn = k;
+  for (auto const& channel : channels) {
+    auto const found = table.series.find(channel.name);
+    if (found == table.series.end())
+      continue;
+    auto const& y = found->second;
+    double const range = quiet_range(y);
+    for (std::size_t k = 2; k + 2 < table.size(); ++k) {
+      double const off = spike(table, y, k, channel, range);
+      bool const is_turn = k == turn && channel.name != "punch_gap";
+      if (off == 0.0 || is_turn || !is_kept[k])
+        continue;
+      is_kept[k] = false;
+      ++table.n_corrupt;
+      table.decisions.push_back(
+          {name.file, table.rows[k],
+           fmt::format(
+               "left out: {} = {:.6g} {} leaves the line between its neighbours, {:.6g} and "
+               "{:.6g}, for one reading (an error of transmission)",
+               channel.name, y[k], channel.unit, y[k - 1], y[k + 1])});
+    }
+  }
+  keep_rows(table, is_kept);
+  return std::ranges::find(is_kept, false) != is_kept.end();
+}
+
 } // namespace
 
 void keep_rows(LabTable& table, std::vector<bool> const& is_kept) {
@@ -143,35 +177,9 @@ void order_rows(LabTable& table, TableName const& name) {
 }
 
 void drop_spikes(LabTable& table, std::span<Channel const> channels, TableName const& name) {
-  std::vector<bool> is_kept(table.size(), true);
-  std::size_t turn = table.size();
-  if (auto const gap = table.series.find("punch_gap"); gap != table.series.end())
-    for (std::size_t k = 0; k < table.size(); ++k)
-      if (std::isfinite(gap->second[k]) &&
-          (turn == table.size() || gap->second[k] < gap->second[turn]))
-        turn = k;
-  for (auto const& channel : channels) {
-    auto const found = table.series.find(channel.name);
-    if (found == table.series.end())
-      continue;
-    auto const& y = found->second;
-    double const range = quiet_range(y);
-    for (std::size_t k = 2; k + 2 < table.size(); ++k) {
-      double const off = spike(table, y, k, channel, range);
-      bool const is_turn = k == turn && channel.name != "punch_gap";
-      if (off == 0.0 || is_turn || !is_kept[k])
-        continue;
-      is_kept[k] = false;
-      ++table.n_corrupt;
-      table.decisions.push_back(
-          {name.file, table.rows[k],
-           fmt::format(
-               "left out: {} = {:.6g} {} leaves the line between its neighbours, {:.6g} and "
-               "{:.6g}, for one reading (an error of transmission)",
-               channel.name, y[k], channel.unit, y[k - 1], y[k + 1])});
-    }
+  // A large spike hides a smaller one beside it.
+  while (drop_clear_spikes(table, channels, name)) {
   }
-  keep_rows(table, is_kept);
 }
 
 void check_corrupt_share(LabTable const& table, TableName const& name) {

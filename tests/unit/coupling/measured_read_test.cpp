@@ -56,6 +56,14 @@ TEST_F(MeasuredRead, KeepsGapsAndCountsThem) {
                                 "stay gaps: rows 7 to 9 and 20"}));
 }
 
+TEST_F(MeasuredRead, SeesASpikeBesideALargerOne) {
+  set_row(12, "10,0.0105,99999999");
+  set_row(14, "12,0.0104,999999");
+  auto const run = read().runs[0];
+  EXPECT_EQ(run.time.size(), press_rows().size() - 2);
+  EXPECT_EQ(std::ranges::count(run.rows, 12u) + std::ranges::count(run.rows, 14u), 0);
+}
+
 TEST_F(MeasuredRead, LeavesAFewCorruptRowsOutAndNamesThem) {
   set_row(10, "8,0.0106");
   set_row(30, "28,0.0096,2.5e3e");
