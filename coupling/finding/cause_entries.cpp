@@ -1,0 +1,238 @@
+#include "coupling/finding/cause_entries.hpp"
+
+#include "coupling/case_schema.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <numbers>
+
+namespace coupling::finding {
+namespace {
+
+/// A cause with the case and the facts that its entries are made from.
+struct Asked {
+  FoundCause const& cause;
+  Case const& setup;
+  BedFacts const& facts;
+
+  double size() const { return cause.size(); }
+  /// A parameter of the cause's law, NaN if it has none of that name.
+  double parameter(std::string_view name) const {
+    auto const at = std::ranges::find(cause.parameters, name, &CauseParameter::name);
+    return at == cause.parameters.end() ? not_known : at->value;
+  }
+};
+
+CauseEntries obstacle(std::string sentence) {
+  return {.obstacle = std::move(sentence)};
+}
+
+/// An entry in SI, as the case file writes it.
+EntryChange entry(std::string const& path, double value) {
+  return {path, print_quantity(value, find_entry(path)->physical)};
+}
+
+CauseEntries change(std::string const& path, double value) {
+  return {.changes = {entry(path, value)}};
+}
+
+/// Every component has its own Young's modulus; absent components have none.
+CauseEntries scaled_modulus(Case const& setup, double factor) {
+  CauseEntries entries;
+  std::size_t next = 0;
+  for (int number = 1; number <= max_components && next < setup.powder.components.size();
+       ++number) {
+    std::string const at = fmt::format("Powder/Component {}/", number);
+    // The resolved case names the components that it has; their numbers may have holes.
+    if (setup.resolved_text.find(fmt::format("subsection Component {}\n", number)) ==
+        std::string::npos)
+      continue;
+    double const modulus = setup.powder.components[next++].material.young_modulus;
+    entries.changes.push_back(entry(at + "Young's modulus", factor * modulus));
+  }
+  return entries;
+}
+
+CauseEntries scaled_cohesion(Case const& setup, double factor) {
+  if (setup.contacts.law.cohesion == "none")
+    return obstacle("the case's Cohesion law is none. Choose a law and calibrate it first?");
+  CauseEntries entries;
+  for (auto const& [section, pair] :
+       {std::pair("Contact/Particle-particle/", setup.contacts.grain_grain),
+        std::pair("Contact/Particle-wall/", setup.contacts.grain_wall)})
+    if (pair.cohesion_energy_density > 0.0)
+      entries.changes.push_back(entry(std::string(section) + "Cohesion energy density",
+                                      factor * pair.cohesion_energy_density));
+  if (entries.changes.empty())
+    return obstacle("the case has no cohesion that could be scaled. Set a Cohesion energy density "
+                    "first?");
+  return entries;
+}
+
+CauseEntries frame_entries_of(Asked const& asked) {
+  double const own = asked.setup.frame.stiffness;
+  double const compliance = (own > 0.0 ? 1.0 / own : 0.0) + asked.size();
+  if (!(compliance > 0.0))
+    return obstacle("the frame would be stiffer than rigid. Is the case's own Stiffness too low?");
+  auto entries = change("Press frame/Stiffness", 1.0 / compliance);
+  double const seating = asked.parameter("seating"), force = asked.parameter("seating_force");
+  if (seating > 0.0 && force > 0.0) {
+    entries.changes.push_back(entry("Press frame/Seating", seating));
+    entries.changes.push_back(entry("Press frame/Seating force", force));
+  }
+  return entries;
+}
+
+/// s in 1 - 3/2 s + s^3/2 = share, for a share from 0 to 1: falling from 1 at s = 0 to 0 at s = 1.
+double root_of_share(double share) {
+  double low = 0.0, high = 1.0;
+  for (int k = 0; k < 60; ++k) {
+    double const s = 0.5 * (low + high);
+    (1.0 - 1.5 * s + 0.5 * s * s * s > share ? low : high) = s;
+  }
+  return 0.5 * (low + high);
+}
+
+CauseEntries plastic_entries_of(Asked const& asked) {
+  double pressure = asked.parameter("yield_pressure");
+  if (!(pressure > 0.0)) {
+    double const overlap = asked.facts.relative_overlap;
+    if (!(overlap > 0.0))
+      return obstacle("the overlap of the contacts at full load is not known, from which the Yield "
+                      "pressure follows. Run the case first?");
+    if (!(asked.size() > 0.0 && asked.size() < 1.0))
+      return obstacle("a share of yielding is between 0 and 1. Is something else the cause?");
+    auto const& grain = asked.setup.powder.components.front().material;
+    double const effective =
+        0.5 * grain.young_modulus / (1.0 - grain.poisson_ratio * grain.poisson_ratio);
+    pressure =
+        2.0 * effective / std::numbers::pi * root_of_share(asked.size()) * std::sqrt(overlap);
+  }
+  auto const& law = asked.setup.contacts.law;
+  return {.changes = {{"Contact/Preset", "custom"},
+                      {"Contact/Normal law", "thornton_ning"},
+                      {"Contact/Cohesion law", law.cohesion},
+                      {"Contact/Tangential law", law.tangential},
+                      entry("Contact/Yield pressure", pressure)}};
+}
+
+CauseEntries rate_entries_of(Asked const& asked) {
+  std::string const path = "Contact/Viscous time";
+  if (double const given = asked.parameter("viscous_time"); given > 0.0)
+    return change(path, given);
+  if (!(asked.facts.growth_time > 0.0))
+    return obstacle("how fast the force grows at full load is not known, from which the Viscous "
+                    "time follows. Run the case first?");
+  return change(path,
+                asked.setup.contacts.law.viscous_time + asked.size() * asked.facts.growth_time);
+}
+
+CauseEntries die_entries_of(Asked const& asked) {
+  auto const& tooling = asked.setup.tooling;
+  double const inner = 0.5 * tooling.bore_diameter, outer = inner + tooling.wall_thickness;
+  auto const& steel = asked.setup.elastic.material;
+  double const ring =
+      (outer * outer + inner * inner) / (outer * outer - inner * inner) + steel.poisson_ratio;
+  bool const is_rigid = asked.setup.mode == "rigid";
+  double const compliance =
+      (is_rigid ? 0.0 : 1.0 / steel.young_modulus) + asked.size() / (tooling.bore_diameter * ring);
+  if (!(compliance > 0.0))
+    return obstacle("the die would be stiffer than rigid. Is its own Young's modulus too low?");
+  auto entries = change("Deformable tools/Young's modulus", 1.0 / compliance);
+  if (is_rigid)
+    entries.changes.insert(entries.changes.begin(), {"Mode", "two_way_secant"});
+  return entries;
+}
+
+/// What the simulator has no block for.
+auto no_block(std::string words) {
+  return [words = std::move(words)](Asked const&) {
+    return obstacle("the simulator has no block for " + words + " yet");
+  };
+}
+
+using EntriesOf = std::function<CauseEntries(Asked const&)>;
+
+/// An entry to which the size is added.
+EntriesOf added(std::string path, std::function<double(Case const&)> own) {
+  return [path = std::move(path), own = std::move(own)](Asked const& asked) {
+    return change(path, own(asked.setup) + asked.size());
+  };
+}
+
+/// An entry that grows by the size's share of itself.
+EntriesOf scaled(std::string path, std::function<double(Case const&)> own) {
+  return [path = std::move(path), own = std::move(own)](Asked const& asked) {
+    return change(path, own(asked.setup) * (1.0 + asked.size()));
+  };
+}
+
+/// A new block of the simulator is a line here.
+std::map<std::string, EntriesOf, std::less<>> const& table() {
+  std::string const friction = "Coefficient of static friction";
+  static std::map<std::string, EntriesOf, std::less<>> const all = {
+      {"frame_compliance", frame_entries_of},
+      {"gap_offset",
+       added("Press frame/Gap offset", [](Case const& c) { return c.frame.gap_offset; })},
+      {"thermal_drift",
+       added("Press frame/Thermal drift", [](Case const& c) { return c.frame.thermal_drift; })},
+      {"force_gain", scaled("Load cell/Gain", [](Case const& c) { return c.load_cell.gain; })},
+      {"force_offset", added("Load cell/Offset", [](Case const& c) { return c.load_cell.offset; })},
+      {"force_lag",
+       added("Load cell/Time constant", [](Case const& c) { return c.load_cell.lag; })},
+      {"mass_error",
+       scaled("Powder/Total mass", [](Case const& c) { return c.powder.total_mass; })},
+      {"die_size",
+       added("Tooling/Bore diameter", [](Case const& c) { return c.tooling.bore_diameter; })},
+      {"wall_friction", added("Contact/Particle-wall/" + friction,
+                              [](Case const& c) { return c.contacts.grain_wall.static_friction; })},
+      {"particle_friction",
+       added("Contact/Particle-particle/" + friction,
+             [](Case const& c) { return c.contacts.grain_grain.static_friction; })},
+      {"young_modulus",
+       [](Asked const& asked) { return scaled_modulus(asked.setup, 1.0 + asked.size()); }},
+      {"cohesion",
+       [](Asked const& asked) { return scaled_cohesion(asked.setup, 1.0 + asked.size()); }},
+      {"plastic_contacts", plastic_entries_of},
+      {"rate_dependence", rate_entries_of},
+      {"die_compliance", die_entries_of},
+      {"punch_tilt", no_block("a tilted punch")},
+      {"breakage", no_block("grains that break")},
+      {"missing_fines", no_block("fines that the sieve curve does not show")},
+      {"fill_state", no_block("how densely the die was filled")},
+      {"multi_contact", no_block("contacts of one grain that stiffen each other")},
+  };
+  return all;
+}
+
+} // namespace
+
+CauseEntries case_entries_of(FoundCause const& cause, Case const& setup, BedFacts const& facts) {
+  auto const found = table().find(cause.name);
+  if (found == table().end())
+    return obstacle("no entry of a case is known for it");
+  if (!std::isfinite(cause.size()))
+    return obstacle("its size is not known");
+  return found->second({cause, setup, facts});
+}
+
+CauseEntries case_entries_of(CalibratedValue const& value, Case const& setup) {
+  auto const factor = [&](double own) {
+    return value.unit == "1" ? value.value : value.value / own;
+  };
+  if (value.name == "young_modulus")
+    return scaled_modulus(setup, factor(setup.powder.components.front().material.young_modulus));
+  if (value.name == "cohesion" || value.name == "cohesion_energy_density") {
+    double const own = setup.contacts.grain_grain.cohesion_energy_density;
+    if (!(own > 0.0) && value.unit != "1" && setup.contacts.law.cohesion != "none")
+      return change("Contact/Particle-particle/Cohesion energy density", value.value);
+    return scaled_cohesion(setup, factor(own));
+  }
+  return obstacle("no entry of a case is known for it");
+}
+
+} // namespace coupling::finding

@@ -1,0 +1,219 @@
+#include "coupling/finding/cause_words.hpp"
+
+#include "coupling/report/html.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace coupling::finding {
+namespace {
+
+struct CauseWords {
+  std::string_view name, words, meaning;
+};
+
+// What a cause is called on the page, and what it is on a press.
+constexpr std::array<CauseWords, 20> causes{{
+    {"frame_compliance", "the press frame gives way",
+     "Frame, columns and punches stretch under load: the punch faces stand further apart than the "
+     "travel says."},
+    {"gap_offset", "the zero of the punch gap is off",
+     "The gap between the punches is wrong by the same amount all the way."},
+    {"force_gain", "the load cell shows a wrong share of the force",
+     "Every force is too high or too low by the same percentage."},
+    {"force_offset", "the load cell is not zeroed",
+     "Every force is too high or too low by the same number of newtons."},
+    {"force_lag", "the load cell lags behind",
+     "The shown force follows the true one late, as behind a slow filter."},
+    {"thermal_drift", "the press warms up and the gap drifts",
+     "The gap changes slowly with time, whatever the force is."},
+    {"mass_error", "the mass of powder is wrong",
+     "There was more or less powder in the die than was written down."},
+    {"die_size", "the bore of the die has another diameter",
+     "The die is worn, or its diameter was measured wrongly."},
+    {"punch_tilt", "the punch is tilted",
+     "One side of the punch face stands lower than the other."},
+    {"wall_friction", "the die wall rubs more or less than assumed",
+     "Friction between powder and die wall differs from the value of the case."},
+    {"particle_friction", "the grains rub on each other more or less than assumed",
+     "Friction between grains differs from the value of the case."},
+    {"young_modulus", "the grains are stiffer or softer than the sheet says",
+     "Young's modulus of the grains differs from the material sheet."},
+    {"cohesion", "the grains stick together more or less than assumed",
+     "Cohesion between grains differs from the value of the case."},
+    {"plastic_contacts", "the grains yield where they touch",
+     "Contacts stay flattened: the force is lower at full load, and the compact springs back "
+     "less."},
+    {"breakage", "grains break", "Crushed grains fill the voids, and the powder takes less force."},
+    {"rate_dependence", "the powder resists fast pressing more",
+     "The force depends on the speed of the press, and relaxes while the punch stands."},
+    {"missing_fines", "fine grains are missing in the simulation",
+     "The powder holds fines that the simulated size distribution leaves out."},
+    {"fill_state", "the die was filled more loosely or more densely",
+     "The bed before pressing is not packed as the simulated one."},
+    {"die_compliance", "the die widens under pressure",
+     "The bore grows with the pressure on its wall."},
+    {"multi_contact", "squeezed grains stiffen at all their contacts",
+     "A contact is stiffer because the same grain is pressed elsewhere, too."},
+}};
+
+CauseWords const* find_words(std::string_view name) {
+  auto const at = std::ranges::find(causes, name, &CauseWords::name);
+  return at == causes.end() ? nullptr : &*at;
+}
+
+std::string spaced(std::string_view name) {
+  std::string words(name);
+  std::ranges::replace(words, '_', ' ');
+  return words;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
+}
+
+/// "a, b and c"
+std::string joined(std::vector<std::string> const& parts, std::string_view last) {
+  std::string text;
+  for (std::size_t k = 0; k < parts.size(); ++k)
+    text += (k == 0 ? "" : k + 1 == parts.size() ? fmt::format(" {} ", last) : ", ") + parts[k];
+  return text;
+}
+
+std::string named_in_words(Finding const& finding) {
+  std::vector<std::string> parts;
+  double least = 1.0;
+  for (auto const& cause : named_causes(finding)) {
+    std::string part = words_of(cause.name);
+    if (!cause.parameters.empty())
+      part += fmt::format(" ({})",
+                          size_in_words(cause.name, cause.size(), cause.parameters.front().unit));
+    parts.push_back(part);
+    least = std::min(least, cause.probability);
+  }
+  if (parts.empty())
+    return "A cause was named.";
+  std::string const rest = finding.is_incomplete
+                               ? " Something is left that this does not explain."
+                               : " With that the simulation agrees with the measurement.";
+  return fmt::format("{}. Probability: {:.0f} %.{}", capitalised(joined(parts, "and")),
+                     100.0 * least, rest);
+}
+
+} // namespace
+
+std::string words_of(std::string_view cause) {
+  auto const* words = find_words(cause);
+  return words ? std::string(words->words) : spaced(cause);
+}
+
+std::string meaning_of(std::string_view cause) {
+  auto const* words = find_words(cause);
+  return words ? std::string(words->meaning) : "";
+}
+
+std::string channel_in_words(std::string_view channel) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> words{
+      {{"upper_punch_force", "force on the upper punch"},
+       {"lower_punch_force", "force on the lower punch"},
+       {"wall_radial_pressure", "pressure on the die wall"},
+       {"ejection_force", "ejection force"},
+       {"punch_gap", "punch gap"},
+       {"compact_height", "height of the compact"},
+       {"compact_mass", "mass of the compact"},
+       {"compact_diameter", "diameter of the compact"},
+       {"max_force", "largest force"},
+       {"all", "all channels together"}}};
+  auto const at = std::ranges::find(words, channel, [](auto const& one) { return one.first; });
+  return at == words.end() ? spaced(channel) : std::string(at->second);
+}
+
+std::string phase_in_words(std::string_view phase) {
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 4> words{
+      {{"loading", "pressing"},
+       {"dwell", "holding"},
+       {"unloading", "opening"},
+       {"after", "after the press"}}};
+  auto const at = std::ranges::find(words, phase, [](auto const& one) { return one.first; });
+  return at == words.end() ? spaced(phase) : std::string(at->second);
+}
+
+ShownAs shown_as(std::string_view cause, std::string_view unit) {
+  if (unit == "m/N")
+    return {1e9, "µm/kN"};
+  if (unit == "m/s")
+    return {6e7, "µm/min"};
+  if (unit == "m/Pa")
+    return {1e12, "µm/MPa"};
+  if (unit == "m" && cause != "compact_height")
+    return {1e6, "µm"};
+  constexpr std::array<std::string_view, 8> in_per_cent{
+      "force_gain", "mass_error",      "young_modulus", "cohesion",
+      "breakage",   "rate_dependence", "missing_fines", "fill_state"};
+  if (unit == "1" && std::ranges::count(in_per_cent, cause) > 0)
+    return {100.0, "%"};
+  return {1.0, unit == "1" ? "" : std::string(unit)};
+}
+
+std::string size_in_words(std::string_view cause, double value, std::string_view unit) {
+  if (!std::isfinite(value))
+    return "not known";
+  auto const shown = shown_as(cause, unit);
+  if (shown.factor == 1.0 && !shown.unit.empty())
+    return format_quantity(value, unit, 3);
+  return fmt::format("{:.3g}{}{}", shown.factor * value, shown.unit.empty() ? "" : " ", shown.unit);
+}
+
+std::string interval_in_words(std::string_view cause, CauseParameter const& parameter) {
+  auto const text = [&](double value) { return size_in_words(cause, value, parameter.unit); };
+  if (parameter.is_open_low && parameter.is_open_high)
+    return fmt::format("{}, 95 %: no limit either way", text(parameter.value));
+  return fmt::format("{}, 95 %: {} to {}", text(parameter.value),
+                     parameter.is_open_low ? "no lower limit" : text(parameter.low),
+                     parameter.is_open_high ? "no upper limit" : text(parameter.high));
+}
+
+std::string in_words(FoundCause const& cause) {
+  if (cause.parameters.empty())
+    return cause.name;
+  return cause.name + " = " + interval_in_words(cause.name, cause.parameters.front());
+}
+
+std::string in_words(CalibratedValue const& value) {
+  auto const text = [&](double number) { return format_quantity(number, value.unit, 4); };
+  return fmt::format("calibrated: {} = {}, sd {}; sheet: {}", value.name, text(value.value),
+                     text(value.sd), text(value.sheet));
+}
+
+std::string verdict_in_words(Finding const& finding) {
+  if (finding.verdict == "consistent")
+    return "Nothing wrong was found: measurement and simulation agree within their known errors.";
+  if (finding.verdict == "named")
+    return named_in_words(finding);
+  if (finding.verdict == "undecided") {
+    std::vector<std::string> parts;
+    for (auto const& name : finding.group)
+      parts.push_back(words_of(name));
+    return fmt::format(
+        "Something is wrong, and these data cannot tell which: {}.{}", joined(parts, "or"),
+        finding.measurements.empty() ? "" : " The next measurement below tells them apart.");
+  }
+  return "Something is wrong that no known cause explains. Where it shows is described below.";
+}
+
+std::string one_line(std::string_view text) {
+  std::string line(text);
+  for (char& c : line)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      c = ' ';
+    else if (c == '\\')
+      c = '/'; // a backslash at the end would swallow the next line
+  return line;
+}
+
+} // namespace coupling::finding
