@@ -120,17 +120,24 @@ void declare_study(CLI::App& program, Command& command) {
   app.callback([options, &command] { command = [options] { return study(*options); }; });
 }
 
-/// Names of the contract that a later version will fill.
-void declare_later(CLI::App& program, Command& command, std::string const& name) {
-  CLI::App& app = *program.add_subcommand(name, "not in this version");
-  app.allow_extras();
-  app.callback([name, &command] {
-    command = [name] {
-      std::cerr << "presscheck " << name
-                << ": this version does not have it yet. Is there a newer one?\n";
-      return wrong_input;
-    };
-  });
+void declare_diagnose(CLI::App& program, Command& command) {
+  CLI::App& app = *program.add_subcommand(
+      "diagnose", "measured data against the simulation: what is wrong, the cause, the gain");
+  auto options = std::make_shared<DiagnoseOptions>();
+  add_case_choice(app, options->choice);
+  app.add_option("measured", options->measured, "folder with measured.json and its curves")
+      ->required();
+  app.add_option("-o,--output", options->folder,
+                 "folder of the diagnosis (default: diagnoses/<measured>)");
+  app.add_option("--simulation", options->simulation,
+                 "run folder of this case; without it the case is run");
+  app.add_option("--seed", options->seed, "of the random draws behind p-values");
+  app.add_flag("--quick", options->is_quick, "do not run the extended case");
+  app.add_flag("--force", options->overwrite, "write into a folder that is not empty");
+  app.add_option("--threads", options->threads, "number of threads (results do not depend on it)")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--quiet", options->quiet, "no progress on standard error");
+  app.callback([options, &command] { command = [options] { return diagnose(*options); }; });
 }
 
 std::string on_one_line(std::string text) {
@@ -153,7 +160,7 @@ int run_command_line(int argc, char const* const* argv) {
   declare_defaults(program, command);
   declare_verify(program, command);
   declare_study(program, command);
-  declare_later(program, command, "diagnose");
+  declare_diagnose(program, command);
   try {
     program.parse(argc, argv);
   } catch (CLI::Success const& help_or_version) {

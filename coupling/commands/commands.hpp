@@ -2,6 +2,7 @@
 
 #include "coupling/case_file.hpp"
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -58,10 +59,23 @@ struct StudyOptions {
   bool lists_entries = false;
 };
 
+struct DiagnoseOptions {
+  CaseChoice choice;
+  std::filesystem::path measured;   ///< folder with measured.json
+  std::filesystem::path folder;     ///< empty: diagnoses/<name of the measured folder>
+  std::filesystem::path simulation; ///< run folder of the case; empty: it is run
+  int threads = 0;
+  std::uint64_t seed = 1; ///< of the references' draws
+  bool is_quick = false;  ///< the extended case is not run: gains are the emulator's
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 int run(RunOptions const& options);
 int check(CaseChoice const& choice);
 int resume(ResumeOptions const& options);
 int compare(CompareOptions const& options);
+int diagnose(DiagnoseOptions const& options);
 int report(std::filesystem::path const& folder);
 int study(StudyOptions const& options);
 int defaults(DefaultsFormat format);

@@ -12,11 +12,11 @@ namespace coupling::diagnosis {
 struct CandidateMeasurement {
   std::string name, unit;
   double cost;              ///< > 0, any unit that is the same for all
-  Eigen::VectorXd baseline; ///< prediction of the fitted baseline, [n] [unit]
+  Eigen::VectorXd baseline{}; ///< prediction of the fitted baseline, [n] [unit]
   Eigen::MatrixXd
-      calibrated; ///< change by one prior sd of each calibrated parameter, n x n_calibrated
-  Eigen::MatrixXd effects;    ///< change by one prior scale of each mechanism, n x n_mechanisms
-  Eigen::MatrixXd covariance; ///< of its rows, all errors, n x n
+      calibrated{}; ///< change by one prior sd of each calibrated parameter, n x n_calibrated
+  Eigen::MatrixXd effects{};    ///< change by one prior scale of each mechanism, n x n_mechanisms
+  Eigen::MatrixXd covariance{}; ///< of its rows, all errors, n x n
 };
 
 /// A cause that is still possible, refitted alone.

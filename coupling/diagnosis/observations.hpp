@@ -19,8 +19,8 @@ std::string_view name_of(Phase phase);
 struct ChannelBlock {
   std::string run, channel; ///< e.g. "run1", "upper_punch_force"
   Phase phase = Phase::loading;
-  Eigen::VectorXd coordinate; ///< how far the phase has gone, 0 to 1, never falling, [n]
-  Eigen::VectorXd values;     ///< measured, [n] [unit of the channel]
+  Eigen::VectorXd coordinate{}; ///< how far the phase has gone, 0 to 1, never falling, [n]
+  Eigen::VectorXd values{};     ///< measured, [n] [unit of the channel]
   int n_repeats = 1;          ///< repeats of the run whose mean `values` is
 };
 

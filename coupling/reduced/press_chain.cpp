@@ -7,20 +7,11 @@
 #include <boost/math/tools/toms748_solve.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace coupling::reduced {
 namespace {
-
-void validate(GapCourse const& course) {
-  VALIDATE(!course.time.empty() && course.time.size() == course.gap.size(),
-           fmt::format("gap course: {} times and {} gaps. One gap for each time?",
-                       course.time.size(), course.gap.size()));
-  VALIDATE(std::ranges::adjacent_find(course.time, std::greater_equal<>()) == course.time.end(),
-           "gap course: times do not increase. Are two points swapped?");
-  VALIDATE(std::ranges::all_of(course.gap, [](double gap) { return gap > 0.0; }),
-           "gap course: a gap is not positive. Is it a travel instead?");
-}
 
 /// The moments at which the chain is solved: samples, and the corners of the course between them.
 std::vector<double> moments(GapCourse const& course, std::vector<double> const& samples) {
@@ -35,11 +26,13 @@ std::vector<double> moments(GapCourse const& course, std::vector<double> const& 
 
 /// h with h = at_rest + D(F_upper(h)). F falls as h grows, so that the root lies between at_rest
 /// and at_rest + D(F_upper(at_rest)).
-double meet(BedLaw const& law, Bed const& bed, FrameLaw const& frame, double at_rest,
-            double smallest) {
+double meet(PressedBed const& pressed, FrameLaw const& frame, double at_rest, double smallest,
+            PressMoment const& moment) {
+  if (frame.is_rigid())
+    return at_rest;
   auto const departure = [&](double h) {
-    double const force = bed_forces(law, bed, h, std::min(smallest, h)).upper;
-    return h - at_rest - frame.deflection(force);
+    double const force = forces(pressed, h, std::min(smallest, h), moment).upper;
+    return h - at_rest - frame.deflection(std::max(force, 0.0));
   };
   double const lowest = departure(at_rest);
   if (lowest == 0.0)
@@ -54,69 +47,116 @@ double meet(BedLaw const& law, Bed const& bed, FrameLaw const& frame, double at_
   return 0.5 * (low + up);
 }
 
-} // namespace
-
-double GapCourse::at(double t) const {
-  auto const after = std::ranges::upper_bound(time, t);
-  if (after == time.begin())
-    return gap.front();
-  if (after == time.end())
-    return gap.back();
-  auto const k = static_cast<std::size_t>(after - time.begin());
-  double const s = (t - time[k - 1]) / (time[k] - time[k - 1]);
-  return gap[k - 1] + s * (gap[k] - gap[k - 1]);
+/// How fast the course goes at t: down positive.
+double closing_speed(GapCourse const& course, double t) {
+  auto const after = std::ranges::lower_bound(course.time, t);
+  if (after == course.time.begin() || after == course.time.end())
+    return 0.0;
+  auto const k = static_cast<std::size_t>(after - course.time.begin());
+  return (course.gap[k - 1] - course.gap[k]) / (course.time[k] - course.time[k - 1]);
 }
 
-GapCourse press_course(double fill_height, double end_gap, double speed_down, double speed_up,
-                       double dwell) {
-  VALIDATE(speed_down > 0.0 && speed_up > 0.0 && dwell >= 0.0 && end_gap > 0.0 &&
-               fill_height > end_gap,
-           fmt::format("press course: from {} to {} m at {} and {} m/s with a dwell of {} s. Are "
-                       "speeds positive, and the fill height above the end gap?",
-                       fill_height, end_gap, speed_down, speed_up, dwell));
-  double const stroke = fill_height - end_gap, down = stroke / speed_down;
-  GapCourse course{.time = {0.0, down}, .gap = {fill_height, end_gap}};
-  if (dwell > 0.0)
-    course.time.push_back(down + dwell), course.gap.push_back(end_gap);
-  course.time.push_back(down + dwell + stroke / speed_up), course.gap.push_back(fill_height);
-  return course;
+/// Speeds of the whole strokes, which a measured course has without its noise.
+class Tempo {
+public:
+  explicit Tempo(GapCourse const& course) : turning_(turning_of(course)) {
+    double const before = turning_.closed - course.time.front();
+    double const after = course.time.back() - turning_.opens;
+    // Near the turn, where forces are: the last quarter of the closing, the first of the opening.
+    double const near = turning_.closed - 0.25 * before, far = turning_.opens + 0.25 * after;
+    closing_ = before > 0.0 ? (course.at(near) - turning_.gap) / (turning_.closed - near)
+                            : closing_speed(course, turning_.closed);
+    opening_ = after > 0.0 ? (course.at(far) - turning_.gap) / (far - turning_.opens) : 0.0;
+  }
+
+  PressMoment at(double t, double told) const {
+    bool const is_opening = t > turning_.opens;
+    return {.closing_speed = closing_,
+            .dwelt = std::clamp(t, turning_.closed, turning_.opens) - turning_.closed,
+            .opening_speed = is_opening ? opening_ : 0.0,
+            .opened = is_opening ? std::max(told - turning_.gap, 0.0) : 0.0};
+  }
+
+private:
+  Turning turning_;
+  double closing_ = 0.0, opening_ = 0.0;
+};
+
+double drift_travel(Machine const& machine, double t) {
+  double const e = machine.frame.thermal_drift, w = machine.drift_decay;
+  return w > 0.0 ? e * -std::expm1(-w * t) / w : e * t;
 }
 
-std::vector<ChainReading> press_cycle(BedLaw const& law, Bed const& bed, FrameLaw const& frame,
-                                      LoadCellErrors const& load_cell, GapCourse const& course,
-                                      std::vector<double> const& samples) {
-  validate(law);
+/// A cell of two stages: the second lags behind the first.
+class TwoStageCell {
+public:
+  explicit TwoStageCell(Machine const& machine)
+      : first_({.lag = (1.0 - machine.second_stage) * machine.load_cell.lag}),
+        second_(with_lag(machine.load_cell, machine.second_stage * machine.load_cell.lag)) {}
+  double shown(double force, double dt) {
+    first_.step_done(force, dt);
+    second_.step_done(first_.reading(), dt);
+    return second_.reading();
+  }
+
+private:
+  static LoadCellErrors with_lag(LoadCellErrors errors, double lag) {
+    errors.lag = lag;
+    return errors;
+  }
+  LoadCell first_, second_;
+};
+
+void validate_cycle(PressedBed const& pressed, GapCourse const& course,
+                    std::vector<double> const& samples) {
+  validate(pressed.law);
   validate(course);
-  VALIDATE(bed.solid_area > 0.0 && bed.bore > 0.0,
+  VALIDATE(pressed.bed.solid_area > 0.0 && pressed.bed.bore > 0.0,
            fmt::format("bed: {} m of solid in a bore of {} m. Both must be positive?",
-                       bed.solid_area, bed.bore));
+                       pressed.bed.solid_area, pressed.bed.bore));
   VALIDATE(std::ranges::adjacent_find(samples, std::greater_equal<>()) == samples.end(),
            "samples: times do not increase. Are two swapped?");
+}
+
+} // namespace
+
+std::vector<ChainReading> press_cycle(PressedBed const& pressed, Machine const& machine,
+                                      GapCourse const& course,
+                                      std::vector<double> const& samples) {
+  validate_cycle(pressed, course, samples);
   std::vector<ChainReading> readings;
   if (samples.empty())
     return readings;
-  LoadCell cell(load_cell);
+  TwoStageCell cell(machine);
+  Tempo const tempo(course);
+  FrameLaw const frame = machine.gap_is_of_faces ? FrameLaw{} : machine.frame;
   double const start = std::min(course.time.front(), samples.front());
-  double last = start, smallest = course.gap.front() + frame.gap_offset;
+  double last = start, smallest = course.at(start) + machine.frame.gap_offset;
   std::size_t next = 0;
   for (double const t : moments(course, samples)) {
     double const told = course.at(t);
-    double const at_rest = told + frame.gap_offset + frame.thermal_drift * (t - start);
+    double const at_rest = told + machine.frame.gap_offset + drift_travel(machine, t - start);
     VALIDATE(at_rest > 0.0, fmt::format("gap course: the faces meet at {} s. Is the gap offset "
                                         "({} m) right?",
-                                        t, frame.gap_offset));
-    double const height = meet(law, bed, frame, at_rest, smallest);
+                                        t, machine.frame.gap_offset));
+    auto const moment = tempo.at(t, told);
+    double const height = meet(pressed, frame, at_rest, smallest, moment);
     smallest = std::min(smallest, height);
-    BedForces const forces = bed_forces(law, bed, height, smallest);
-    cell.step_done(forces.upper, t - last);
+    BedForces const found = forces(pressed, height, smallest, moment);
+    double const shown = cell.shown(found.upper, t - last);
     last = t;
     if (t != samples[next])
       continue;
-    readings.push_back({t, told, height, forces, cell.reading()});
+    readings.push_back({t, told, height, found, shown});
     if (++next == samples.size())
       break;
   }
   return readings;
+}
+
+double smallest_height(std::vector<ChainReading> const& readings) {
+  auto const least = std::ranges::min_element(readings, {}, &ChainReading::height);
+  return least->height;
 }
 
 } // namespace coupling::reduced

@@ -2,25 +2,23 @@
 
 #include "coupling/load_cell.hpp"
 #include "coupling/press_frame.hpp"
-#include "coupling/reduced/bed_law.hpp"
+#include "coupling/reduced/gap_course.hpp"
+#include "coupling/reduced/pressed_bed.hpp"
 
 #include <vector>
 
 namespace coupling::reduced {
 
-/// What the machine is told: gaps at times, straight lines between them. Times increase.
-struct GapCourse {
-  std::vector<double> time; ///< [s]
-  std::vector<double> gap;  ///< [m], > 0
-
-  /// Held before the first and after the last point.
-  double at(double t) const;
+/// The machine between command and paper.
+struct Machine {
+  FrameLaw frame = {};
+  /// [1/s], how fast the thermal drift e dies out: its travel is e (1 - exp(-w t)) / w; 0: e t.
+  double drift_decay = 0.0;
+  LoadCellErrors load_cell = {};
+  /// [1], share of the cell's lag that a second stage behind it has.
+  double second_stage = 0.0;
+  bool gap_is_of_faces = false; ///< what is called the gap is measured at the punch faces
 };
-
-/// Down to `end_gap` and up again at constant speeds, with a dwell between.
-/// @param speed_down, speed_up  [m/s], > 0
-GapCourse press_course(double fill_height, double end_gap, double speed_down, double speed_up,
-                       double dwell = 0.0);
 
 /// One moment of a cycle.
 struct ChainReading {
@@ -33,12 +31,15 @@ struct ChainReading {
 
 /// The whole way from a command to what a laboratory writes down: machine, bed, load cell. At each
 /// moment the height is where bed and frame agree,
-///   h = h_cmd(t) + z_0 + e t + D(F_upper(h)),
-/// to rounding. Machine and load cell are those of the grains' simulator.
+///   h = h_cmd(t) + z_0 + e (1 - exp(-w t)) / w + D(F_upper(h)),
+/// to rounding; without D where the gap is measured at the faces. Frame and load cell are those of
+/// the grains' simulator.
 /// @param samples  [s], increasing; corners of the course need not be among them
 /// @throws dem::InvalidInput for numbers that make no bed, no course, or a gap of nothing
-std::vector<ChainReading> press_cycle(BedLaw const& law, Bed const& bed, FrameLaw const& frame,
-                                      LoadCellErrors const& load_cell, GapCourse const& course,
-                                      std::vector<double> const& samples);
+std::vector<ChainReading> press_cycle(PressedBed const& pressed, Machine const& machine,
+                                      GapCourse const& course, std::vector<double> const& samples);
+
+/// The smallest height of a cycle [m].
+double smallest_height(std::vector<ChainReading> const& readings);
 
 } // namespace coupling::reduced

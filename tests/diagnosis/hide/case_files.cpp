@@ -123,6 +123,20 @@ Json sheet(Observables set) {
   return json;
 }
 
+/// What a simulation of the press would have written: no effect, no scatter, no noise, and a powder
+/// that is a little off.
+std::string simulated_curves(std::uint64_t seed) {
+  Protocol const protocol{.speed_down = 0.2, .speed_up = 0.2, .end_gap = 7.5 * mm, .dwell = 0.0};
+  auto const cycle = press_cycle(simulated_powder(seed), {}, protocol, {});
+  std::string text = "time [s],stage,punch_gap [m],bed_height [m],upper_punch_force [N],"
+                     "lower_punch_force [N],wall_radial_pressure [Pa]\n";
+  for (auto const& at : cycle.moments)
+    text += fmt::format("{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", at.time,
+                        at.time <= protocol.closing_time() ? "loading" : "unloading", at.gap,
+                        at.height, at.upper, at.lower, at.radial);
+  return text;
+}
+
 } // namespace
 
 void write_case(Case const& of, std::filesystem::path const& folder, Foretold foretold) {
@@ -131,6 +145,8 @@ void write_case(Case const& of, std::filesystem::path const& folder, Foretold fo
         "{}: is not empty (a case has a folder of its own). Another name?", folder.string()));
   std::filesystem::create_directories(folder / "data");
   std::filesystem::create_directories(folder / "sealed");
+  std::filesystem::create_directories(folder / "simulation");
+  write(folder / "simulation" / "curves.csv", simulated_curves(of.seed));
   auto json = sheet(of.observables);
   for (std::size_t k = 0; k < of.runs.size(); ++k) {
     auto const& run = of.runs[k];

@@ -120,6 +120,16 @@ Effects Case::effects() const {
   return all;
 }
 
+Powder simulated_powder(std::uint64_t seed) {
+  CounterStream draw(seed, Purpose::simulation);
+  Powder powder;
+  powder.onset += 0.0012 * draw.normal();
+  powder.recovery *= 1.0 + 0.004 * draw.normal();
+  powder.wall_friction *= 1.0 + 0.02 * draw.normal();
+  powder.radial_ratio *= 1.0 + 0.01 * draw.normal();
+  return powder;
+}
+
 Case draw_case(Wish const& wish) {
   Case result{.seed = wish.seed,
               .kind = wish.kind,

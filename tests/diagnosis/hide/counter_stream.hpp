@@ -16,6 +16,7 @@ enum class Purpose : std::uint64_t {
   order,
   clock,
   noise,
+  simulation,
 };
 
 /// Counter-based stream of random numbers. The mixer is splitmix64's (Steele, Lea & Flood,

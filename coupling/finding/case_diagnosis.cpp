@@ -1,0 +1,117 @@
+#include "coupling/finding/case_diagnosis.hpp"
+
+#include "coupling/finding/claims.hpp"
+#include "coupling/finding/row_inputs.hpp"
+#include "coupling/reduced/measurement_catalogue.hpp"
+
+namespace coupling::finding {
+namespace {
+
+using diagnosis::Hypothesis;
+using diagnosis::VerdictKind;
+
+reduced::PressModel model_of(CaseQuestion const& question, reduced::PressPlan const& plan) {
+  reduced::RepeatScatter scatter;
+  scatter.mass = question.data.sample.mass.sd / question.data.sample.mass.value;
+  return {in_laboratory(question.simulated, question.data.sample), question.simulated.sheet,
+          scatter, plan};
+}
+
+} // namespace
+
+CaseDiagnosis::CaseDiagnosis(CaseQuestion const& question)
+    : question_(question), rows_(measured_rows(question.data, measured::Role::fit)),
+      model_(model_of(question, rows_.plan)), observations_(rows_.blocks),
+      sources_(error_sources(model_, rows_.channels, question.simulated.fit)),
+      found_(diagnose(observations_, model_, sources_, question.settings)),
+      held_out_(question.data, sources_), named_(claimed_hypothesis(found_)) {
+  if (!can_gain())
+    return;
+  auto const before = calibrated_press(), after = extended_press(*named_);
+  gain_ = scored(before, after);
+  held_out_curves_ = held_out_.curves(before, after);
+  if (auto const* const wrong = best_wrong_hypothesis(found_))
+    placebo_ = scored(before, extended_press(*wrong));
+}
+
+FittedPress CaseDiagnosis::calibrated_press() const {
+  return {model_, found_.baseline_in_common.at, {}};
+}
+
+FittedPress CaseDiagnosis::extended_press(Hypothesis const& by) const {
+  return {model_, by.fit.at, by.fit.active};
+}
+
+ScoredGain CaseDiagnosis::scored(FittedPress const& before, FittedPress const& after) const {
+  auto const runs = held_out_.compared(before, after);
+  ScoredGain gain{measure_gain(runs), {}, static_cast<int>(runs.size())};
+  for (int const j : after.active)
+    gain.causes.push_back(model_.mechanisms()[static_cast<std::size_t>(j)].name);
+  return gain;
+}
+
+FittedPress CaseDiagnosis::recalibrated(reduced::SimulatedPress const& simulated,
+                                        diagnosis::Parameters const& at) const {
+  // What the simulation has between its grains is off in the emulator.
+  auto start = at;
+  std::vector<int> active;
+  auto const& causes = reduced::known_causes();
+  for (std::size_t j = 0; j < causes.size(); ++j) {
+    auto& size = start.sizes[static_cast<Eigen::Index>(j)];
+    if (causes[j].side == reduced::Side::grains)
+      size = 0.0;
+    else if (size != 0.0)
+      active.push_back(static_cast<int>(j));
+  }
+  auto bed = simulated;
+  bed.nominal.machine = question_.simulated.nominal.machine;
+  auto press = in_laboratory(bed, question_.data.sample);
+  for (std::size_t j = 0; j < causes.size(); ++j)
+    if (double const size = start.sizes[static_cast<Eigen::Index>(j)]; size != 0.0)
+      causes[j].apply(press, size, start.shapes[j]);
+  reduced::PressModel const model(press, bed.sheet, model_.scatter(), rows_.plan);
+  auto const errors = error_model(observations_, model, sources_, nominal_parameters(model), {});
+  diagnosis::Comparison const comparison{
+      &model, observations_.values() - errors.bias,
+      diagnosis::Whitener(errors.covariance, sources_.tolerances.largest_jitter)};
+  return {model, fit_baseline(comparison).at, active};
+}
+
+void CaseDiagnosis::score_simulations(reduced::SimulatedPress const& calibrated,
+                                      reduced::SimulatedPress const& extended) {
+  auto const before = recalibrated(calibrated, found_.baseline_in_common.at);
+  auto const after = recalibrated(extended, named_->fit.at);
+  gain_ = scored(before, after);
+  gain_->causes.clear();
+  for (int const j : named_->fit.active)
+    gain_->causes.push_back(model_.mechanisms()[static_cast<std::size_t>(j)].name);
+  held_out_curves_ = held_out_.curves(before, after);
+}
+
+Finding CaseDiagnosis::finding() const {
+  FindingSources parts{.model = model_,
+                       .observations = observations_,
+                       .errors = sources_,
+                       .settings = question_.settings,
+                       .gain = gain_,
+                       .placebo = placebo_};
+  parts.provenance = question_.provenance;
+  for (auto const& decision : question_.data.decisions)
+    parts.decisions.push_back(in_words(decision));
+  for (auto const* const words : {&rows_.left_out, &question_.simulated.fit.statements})
+    parts.decisions.insert(parts.decisions.end(), words->begin(), words->end());
+  parts.places = places_of(rows_.plan);
+  parts.held_out_curves = held_out_curves_;
+  auto const& baseline = found_.baseline_in_common;
+  if (auto const possible = possible_causes(found_); possible.size() > 1)
+    parts.advice = next_measurements(
+        baseline, found_.library, possible,
+        measurement_catalogue(model_, question_.data, rows_.channels, sources_, baseline.at));
+  if (found_.verdict.kind == VerdictKind::unknown || found_.verdict.is_incomplete)
+    parts.unexplained = describe_unexplained(
+        observations_, found_.comparison, found_.library, found_.tests, baseline.predicted,
+        row_inputs(rows_.plan, observations_, baseline.predicted), question_.settings.misfit);
+  return finding_of(found_, parts);
+}
+
+} // namespace coupling::finding

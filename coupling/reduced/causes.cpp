@@ -1,0 +1,164 @@
+#include "coupling/reduced/causes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling::reduced {
+namespace {
+
+using diagnosis::ShapeParameter;
+using diagnosis::SizeTail;
+using Eigen::VectorXd;
+
+constexpr double um = 1e-6, mm = 1e-3, kN = 1e3, MPa = 1e6, minute = 60.0;
+
+enum class Sign { both, positive };
+
+Cause cause(char const* name, char const* unit, double scale, Sign sign,
+            Side side, void (*apply)(Press&, double, VectorXd const&),
+            std::vector<ShapeParameter> shapes = {}) {
+  return {.mechanism = {.name = name,
+                        .unit = unit,
+                        .scale = scale,
+                        .tail = SizeTail::student,
+                        .is_one_sided = sign == Sign::positive,
+                        .low = sign == Sign::positive ? 0.0 : -10.0 * scale,
+                        .high = 10.0 * scale,
+                        .shapes = std::move(shapes)},
+          .apply = apply,
+          .side = side};
+}
+
+/// Seats of the frame give a s F_s more, in all, over the first F_s of the force.
+void frame_compliance(Press& press, double a, VectorXd const& shapes) {
+  constexpr double seating_force = 3 * kN;
+  auto& frame = press.machine.frame;
+  if (a <= 0.0)
+    return;
+  double const own = frame.is_rigid() ? 0.0 : 1.0 / frame.stiffness;
+  frame.stiffness = 1.0 / (own + a);
+  frame.seating += shapes[0] * a * seating_force;
+  frame.seating_force = seating_force;
+}
+void gap_offset(Press& press, double a, VectorXd const&) {
+  press.machine.frame.gap_offset += a;
+}
+void force_gain(Press& press, double a, VectorXd const&) {
+  press.machine.load_cell.gain *= 1.0 + a;
+}
+void force_offset(Press& press, double a, VectorXd const&) {
+  press.machine.load_cell.offset += a;
+}
+void force_lag(Press& press, double a, VectorXd const& shapes) {
+  press.machine.load_cell.lag += a;
+  press.machine.second_stage = shapes[0];
+}
+void thermal_drift(Press& press, double a, VectorXd const& shapes) {
+  press.machine.frame.thermal_drift += a;
+  press.machine.drift_decay = shapes[0];
+}
+void mass_error(Press& press, double a, VectorXd const&) {
+  press.pressed.bed.solid_area *= 1.0 + a;
+}
+void die_size(Press& press, double a, VectorXd const&) {
+  auto& bed = press.pressed.bed;
+  double const ratio = bed.bore / (bed.bore + a);
+  bed.solid_area *= ratio * ratio;
+  bed.bore += a;
+}
+void punch_tilt(Press& press, double a, VectorXd const&) {
+  press.pressed.tilt += a;
+}
+void wall_friction(Press& press, double a, VectorXd const&) {
+  auto& mu = press.pressed.law.wall_friction;
+  mu = std::max(mu + a, 0.0);
+}
+/// Rougher grains pack looser, lean on each other more and on the wall less.
+void particle_friction(Press& press, double a, VectorXd const& shapes) {
+  auto& law = press.pressed.law;
+  law.onset -= 0.15 * a;
+  law.radial_ratio = std::max(law.radial_ratio - 0.5 * a, 0.05);
+  law.stiffness *= std::exp(shapes[0] * a);
+}
+/// Contacts that yield: softer above a stress, and less given back.
+void plastic_contacts(Press& press, double a, VectorXd const& shapes) {
+  auto& law = press.pressed.law;
+  law.yielding = {.size = 0.3 * a, .stress = shapes[0] * MPa};
+  law.recovery *= std::max(1.0 - shapes[1] * a, 0.05);
+}
+void breakage(Press& press, double a, VectorXd const& shapes) {
+  auto& law = press.pressed.law;
+  law.onset_crush = {.size = a, .scale = shapes[0] * MPa, .modulus = shapes[1]};
+}
+void rate_dependence(Press& press, double a, VectorXd const& shapes) {
+  press.pressed.rate.gain += a;
+  press.pressed.rate.memory = shapes[0];
+}
+void missing_fines(Press& press, double a, VectorXd const&) {
+  press.pressed.law.onset -= a;
+}
+void fill_state(Press& press, double a, VectorXd const& shapes) {
+  auto& law = press.pressed.law;
+  law.onset_fill = {.size = a, .decay = shapes[0] * MPa};
+}
+void die_compliance(Press& press, double a, VectorXd const&) {
+  press.pressed.die_yield += a;
+}
+void multi_contact(Press& press, double a, VectorXd const& shapes) {
+  auto& law = press.pressed.law;
+  // a is the share at 0.25 beyond the onset, where tablets of this kind end.
+  law.stiffening = {.size = 0.3 * a / std::pow(0.25, shapes[0]), .exponent = shapes[0]};
+}
+
+} // namespace
+
+std::vector<Cause> const& known_causes() {
+  using enum Sign;
+  using enum Side;
+  static std::vector<Cause> const all = {
+      cause("frame_compliance", "m/N", 20 * um / kN, positive, machine, frame_compliance,
+            {{"seating_share", "1", 0.15, 0.15, 0.0, 1.0}}),
+      cause("gap_offset", "m", 0.1 * mm, both, machine, gap_offset),
+      cause("force_gain", "1", 0.04, both, machine, force_gain),
+      cause("force_offset", "N", 100.0, both, machine, force_offset),
+      cause("force_lag", "s", 1.5, positive, machine, force_lag, {{"second_stage", "1", 0.25, 0.2, 0.0, 0.5}}),
+      cause("thermal_drift", "m/s", 10 * um / minute, both, machine, thermal_drift,
+            {{"decay", "1/s", 3e-4, 3e-4, 0.0, 3e-3}}),
+      cause("mass_error", "1", 0.015, both, machine, mass_error),
+      cause("die_size", "m", 0.08 * mm, both, machine, die_size),
+      cause("punch_tilt", "m", 0.25 * mm, positive, grains, punch_tilt),
+      cause("wall_friction", "1", 0.06, both, grains, wall_friction),
+      cause("particle_friction", "1", 0.06, both, grains, particle_friction,
+            {{"stiffening", "1", 2.0, 2.0, -8.0, 12.0}}),
+      cause("plastic_contacts", "1", 0.3, positive, grains, plastic_contacts,
+            {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0}, {"kept", "1", 0.7, 0.3, 0.0, 2.0}}),
+      cause("breakage", "1", 0.01, positive, grains, breakage,
+            {{"crushing_stress", "MPa", 25.0, 15.0, 2.0, 200.0},
+             {"weibull_modulus", "1", 2.0, 1.0, 0.7, 8.0}}),
+      cause("rate_dependence", "1", 0.02, positive, machine, rate_dependence,
+            {{"memory", "1", 4e-3, 3e-3, 2e-4, 5e-2}}),
+      cause("missing_fines", "1", 0.008, both, grains, missing_fines),
+      cause("fill_state", "1", 0.008, both, grains, fill_state,
+            {{"filling_stress", "MPa", 2.0, 1.0, 0.3, 10.0}}),
+      cause("die_compliance", "m/Pa", 0.5 * um / MPa, positive, machine, die_compliance),
+      cause("multi_contact", "1", 0.3, positive, grains, multi_contact, {{"power", "1", 3.0, 1.0, 1.0, 8.0}})};
+  return all;
+}
+
+std::vector<diagnosis::Scatter> scatters_of(RepeatScatter const& scatter) {
+  return {{"mass", "1", scatter.mass},
+          {"packing", "1", scatter.onset},
+          {"wall_friction", "1", scatter.wall_friction},
+          {"gap_zero", "m", scatter.gap_zero},
+          {"force_zero", "N", scatter.force_zero}};
+}
+
+void apply_scatter(Press& press, VectorXd const& departure) {
+  press.pressed.bed.solid_area *= 1.0 + departure[0];
+  press.pressed.law.onset += departure[1];
+  press.pressed.law.wall_friction *= 1.0 + departure[2];
+  press.machine.frame.gap_offset += departure[3];
+  press.machine.load_cell.offset += departure[4];
+}
+
+} // namespace coupling::reduced

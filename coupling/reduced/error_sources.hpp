@@ -1,0 +1,29 @@
+#pragma once
+
+#include "coupling/diagnosis/error_model.hpp"
+#include "coupling/reduced/press_model.hpp"
+#include "coupling/reduced/simulated_press.hpp"
+
+namespace coupling::reduced {
+
+/// How well the numbers of a simulated bed are known, the same for all runs: what another packing
+/// seed, size or time step would have made of them, standard deviations.
+struct BedUncertainty {
+  double onset = 0.0012;       ///< [1], as pressings scatter
+  double recovery = 0.004;     ///< [1], relative
+  double wall_friction = 0.02; ///< [1], relative
+  double radial_ratio = 0.01;  ///< [1], relative
+};
+
+/// Covariance of the rows of a plan by these, at the nominal press, n_rows x n_rows.
+Eigen::MatrixXd numerical_covariance(PressModel const& model,
+                                     BedUncertainty const& uncertainty = {});
+
+/// Everything that is said of errors for measured rows against the emulator of a simulation:
+/// instruments as the laboratory states them; the emulator's own departure from its simulation on
+/// top of the declared tolerance; what the simulation's bed is not sure of as numerical error.
+diagnosis::ErrorSources error_sources(PressModel const& model,
+                                      std::vector<diagnosis::ChannelError> channels,
+                                      BedFit const& fit, BedUncertainty const& uncertainty = {});
+
+} // namespace coupling::reduced

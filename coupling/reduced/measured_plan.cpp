@@ -1,0 +1,225 @@
+#include "coupling/reduced/measured_plan.hpp"
+
+#include "coupling/reduced/compact.hpp"
+#include "coupling/reduced/measured_course.hpp"
+#include "dem/expect.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace coupling::reduced {
+namespace {
+
+using diagnosis::Phase;
+using measured::MeasuredData;
+using measured::Run;
+
+/// Places of a run's readings.
+using Places = std::vector<std::size_t>;
+
+/// A row: its readings' places.
+struct Part {
+  Phase phase;
+  Places places;
+};
+
+void append_parts(std::vector<Part>& parts, Phase phase, Places const& places, std::size_t most) {
+  std::size_t const n = std::min(most, places.size());
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const at = [&](std::size_t i) {
+      return places.begin() + static_cast<std::ptrdiff_t>(i * places.size() / n);
+    };
+    parts.push_back({phase, Places(at(k), at(k + 1))});
+  }
+}
+
+/// Readings of the upper force in which the bed bears, first and last by the median of five.
+std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, double share) {
+  double const least = share * *std::ranges::max_element(force, {}, [](double f) {
+    return std::isfinite(f) ? f : 0.0;
+  });
+  auto const bears = [&](std::size_t k) {
+    std::vector<double> near;
+    for (std::size_t i = k < 2 ? 0 : k - 2; i < std::min(k + 3, force.size()); ++i)
+      if (std::isfinite(force[i]))
+        near.push_back(force[i]);
+    if (near.empty())
+      return false;
+    auto const middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
+    std::ranges::nth_element(near, middle);
+    return *middle > least;
+  };
+  std::size_t first = 0, last = force.size() - 1;
+  while (first < last && !bears(first))
+    ++first;
+  while (last > first && !bears(last))
+    --last;
+  return {first, last};
+}
+
+/// Rows of a run, by the upper force; other channels take the same readings.
+std::vector<Part> parts_of(Run const& run, GapCourse const& course, Binning const& binning) {
+  auto const [first, last] = bearing(run.channel("upper_punch_force"), binning.contact_share);
+  auto const turning = turning_of(course);
+  // A little before it bears: the readings in which the onset lies.
+  double const lead = 0.05 * (turning.closed - run.time[first]);
+  Places before, closing, held, opening, after;
+  for (std::size_t k = 0; k < run.time.size(); ++k) {
+    double const t = run.time[k];
+    auto& place = t < run.time[first] - lead ? before
+                  : t <= turning.closed      ? closing
+                  : t <= turning.opens       ? held
+                  : k <= last                ? opening
+                                             : after;
+    place.push_back(k);
+  }
+  std::vector<Part> parts;
+  append_parts(parts, Phase::loading, before, before.size() < 5 ? 0 : 1);
+  append_parts(parts, Phase::loading, closing, binning.n_loading);
+  append_parts(parts, Phase::dwell, held, binning.n_dwell);
+  append_parts(parts, Phase::unloading, opening, binning.n_unloading);
+  append_parts(parts, Phase::unloading, after, after.size() < 5 ? 0 : 1);
+  return parts;
+}
+
+/// Mean of some readings of a channel: value, time and its spread, number.
+struct PartMean {
+  double value = 0.0, time = 0.0, spread = 0.0;
+  std::size_t n = 0;
+};
+PartMean mean_of(Run const& run, std::span<double const> series, Places const& places) {
+  PartMean mean;
+  for (std::size_t const k : places)
+    if (std::isfinite(series[k]))
+      mean.value += series[k], mean.time += run.time[k], ++mean.n;
+  if (mean.n == 0)
+    return mean;
+  auto const n = static_cast<double>(mean.n);
+  mean.value /= n, mean.time /= n;
+  for (std::size_t const k : places)
+    if (std::isfinite(series[k]))
+      mean.spread += (run.time[k] - mean.time) * (run.time[k] - mean.time);
+  mean.spread = std::sqrt(mean.spread / n);
+  return mean;
+}
+
+/// Collects the rows of all runs.
+class Collector {
+public:
+  Collector(MeasuredData const& data, Binning const& binning) : data_(&data), binning_(binning) {
+    rows_.plan.gap_is_of_faces = data.gap_source == measured::GapSource::measured;
+  }
+
+  void add(Run const& run) {
+    PlannedRun planned{.name = run.file, .course = measured_course(*data_, run), .times = {},
+                       .blocks = {}};
+    auto const parts = parts_of(run, planned.course, binning_);
+    std::map<double, std::size_t> places;
+    std::vector<std::vector<std::array<double, 2>>> moments;
+    for (auto const* const channel :
+         {"upper_punch_force", "lower_punch_force", "wall_radial_pressure"})
+      if (run.has(channel))
+        for (auto const phase : {Phase::loading, Phase::dwell, Phase::unloading})
+          add_block(run, channel, phase, parts, planned, moments);
+    for (auto const& block : moments)
+      for (auto const& pair : block)
+        for (double const t : pair)
+          places.emplace(t, 0);
+    places.emplace(turning_of(planned.course).closed, 0);
+    for (auto& [t, place] : places)
+      place = planned.times.size(), planned.times.push_back(t);
+    for (std::size_t b = 0; b < moments.size(); ++b)
+      for (auto const& [early, late] : moments[b])
+        planned.blocks[b].rows.push_back({{places.at(early), places.at(late)}});
+    add_scalars(run, planned);
+    if (run.has("ejection_force"))
+      rows_.left_out.push_back(
+          fmt::format("{}: the course of the ejection force is not foretold; its largest value as "
+                      "a scalar would be used",
+                      run.file));
+    rows_.plan.runs.push_back(std::move(planned));
+  }
+
+  MeasuredRows take() {
+    for (auto const& [channel, sums] : numbers_) {
+      auto const* const described = data_->channel(channel);
+      double const n = sums.first / static_cast<double>(sums.second);
+      rows_.channels.push_back({.channel = channel,
+                                .sd = described->sd / std::sqrt(n),
+                                .sd_relative = described->sd_relative / std::sqrt(n),
+                                .has_kink = true});
+    }
+    return std::move(rows_);
+  }
+
+private:
+  void add_block(Run const& run, std::string const& channel, Phase phase,
+                 std::vector<Part> const& parts, PlannedRun& planned,
+                 std::vector<std::vector<std::array<double, 2>>>& moments) {
+    std::vector<PartMean> means;
+    for (auto const& part : parts)
+      if (part.phase == phase)
+        if (auto const mean = mean_of(run, run.channel(channel), part.places); mean.n > 0)
+          means.push_back(mean);
+    if (means.empty())
+      return;
+    auto const n = static_cast<Eigen::Index>(means.size());
+    diagnosis::ChannelBlock block{.run = run.file, .channel = channel, .phase = phase};
+    block.coordinate = Eigen::VectorXd(n), block.values = Eigen::VectorXd(n);
+    double const start = means.front().time, length = means.back().time - start;
+    moments.emplace_back();
+    auto& [sum, count] = numbers_[channel];
+    for (Eigen::Index k = 0; k < n; ++k) {
+      auto const& mean = means[static_cast<std::size_t>(k)];
+      block.coordinate[k] = length > 0.0 ? (mean.time - start) / length : 0.0;
+      block.values[k] = mean.value;
+      moments.back().push_back({mean.time - mean.spread, mean.time + mean.spread});
+      sum += static_cast<double>(mean.n), ++count;
+    }
+    rows_.blocks.push_back(std::move(block));
+    planned.blocks.push_back({.channel = channel, .phase = phase, .rows = {}});
+  }
+
+  /// Each is a channel of its own with one row.
+  void add_scalars(Run const& run, PlannedRun& planned) {
+    for (auto const& [name, number] : run.scalars) {
+      if (!is_foretold(name)) {
+        rows_.left_out.push_back(fmt::format("{}: {} is not foretold", run.file, name));
+        continue;
+      }
+      rows_.blocks.push_back({.run = run.file,
+                              .channel = name,
+                              .phase = Phase::after,
+                              .coordinate = Eigen::VectorXd::Zero(1),
+                              .values = Eigen::VectorXd::Constant(1, number.value)});
+      planned.blocks.push_back({.channel = name, .phase = Phase::after, .rows = {{{0, 0}}}});
+      auto const known = std::ranges::find(rows_.channels, name, &diagnosis::ChannelError::channel);
+      if (known == rows_.channels.end())
+        rows_.channels.push_back({.channel = name, .sd = number.sd});
+      else
+        known->sd = std::max(known->sd, number.sd);
+    }
+  }
+
+  MeasuredData const* data_;
+  Binning binning_;
+  MeasuredRows rows_;
+  std::map<std::string, std::pair<double, std::size_t>> numbers_; ///< readings and rows
+};
+
+} // namespace
+
+MeasuredRows measured_rows(MeasuredData const& data, measured::Role role, Binning const& binning) {
+  Collector collector(data, binning);
+  std::size_t n = 0;
+  for (auto const& run : data.runs)
+    if (run.role == role)
+      collector.add(run), ++n;
+  VALIDATE(n > 0, "measured data: no run has the role that is asked for");
+  return collector.take();
+}
+
+} // namespace coupling::reduced
