@@ -9,23 +9,58 @@
 #include <cmath>
 
 namespace coupling::reduced {
+namespace {
 
-double BedLaw::loading(double solid_fraction) const {
-  double const beyond = solid_fraction - onset;
-  if (beyond <= 0.0)
-    return 0.0;
-  return std::max(stiffness * std::pow(beyond, exponent) - cohesion * beyond, 0.0);
+double or_one(Table const& factor, double x) {
+  return factor.empty() ? 1.0 : factor.at(x);
 }
 
-double BedLaw::unloading_stress(double solid_fraction, double most) const {
-  double const way = recovery * (most - onset); // phi_m - phi_u
-  if (way <= 0.0)
-    return 0.0;
-  double const x = 1.0 - (most - solid_fraction) / way;
-  return x > 0.0 ? loading(most) * std::pow(x, unloading) : 0.0;
+/// Stress of first loading at x beyond the onset, wherever that lies.
+double stress_beyond(BedLaw const& law, double x) {
+  double whole = law.loading_rest.empty() ? 0.0 : law.stiffness * law.loading_rest.at(x);
+  if (x > 0.0) {
+    double const stiff = 1.0 + law.stiffening.size * std::pow(x, law.stiffening.exponent);
+    whole += law.stiffness * stiff * std::pow(x, law.exponent) - law.cohesion * x;
+  }
+  double const stress = std::max(whole, 0.0);
+  double const excess = std::max(stress - law.yielding.stress, 0.0);
+  return stress - law.yielding.size * excess * excess / (excess + law.yielding.stress);
 }
 
-void validate(BedLaw const& law) {
+/// How far an opening has gone: 1 at the turn, 0 where the way to the onset is gone back.
+double way_left(BedLaw const& law, double solid_fraction, double most) {
+  if (solid_fraction >= most)
+    return 1.0;
+  double const way = law.recovery * (most - law.onset_at(most));
+  return way > 0.0 ? 1.0 - (most - solid_fraction) / way : 0.0; // before the onset: at once
+}
+
+double stress_share(BedLaw const& law, double g) {
+  if (g <= 0.0)
+    return 0.0;
+  return law.unloading.empty() ? std::pow(g, law.opening) : law.unloading.at(g);
+}
+
+double radial_share(BedLaw const& law, double g) {
+  return law.radial_unloading.empty() ? std::sqrt(stress_share(law, g))
+                                      : law.radial_unloading.at(g);
+}
+
+/// Radial pressure of first loading.
+double radial_closing(BedLaw const& law, double solid_fraction) {
+  double const x = solid_fraction - law.onset_at(solid_fraction);
+  return law.radial_ratio * or_one(law.radial_loading, x) * law.loading(solid_fraction);
+}
+
+/// Share of the friction that the wall can give, against the upper punch.
+double turned(BedLaw const& law, double opened) {
+  if (opened <= 0.0)
+    return 1.0;
+  return law.wall_turn.empty() ? -1.0 + 2.0 * std::exp(-opened / law.reversal)
+                               : law.wall_turn.at(opened);
+}
+
+void validate_numbers(BedLaw const& law) {
   auto const refuse = [](char const* name, double value, char const* reason) {
     throw dem::InvalidInput(fmt::format("bed law: {} = {}: {}", name, value, reason));
   };
@@ -37,29 +72,94 @@ void validate(BedLaw const& law) {
     refuse("onset", law.onset, "is no solid fraction (0 to 1). Is it in percent?");
   if (!(law.exponent >= 1.0))
     refuse("exponent", law.exponent, "must be at least 1. A bed stiffens as it closes?");
-  if (!(law.recovery > 0.0 && law.recovery <= 1.0))
-    refuse("recovery", law.recovery, "must be above 0 and at most 1. A bed gives back no more?");
-  if (!(law.unloading >= 1.0))
-    refuse("unloading", law.unloading, "must be at least 1. A bed softens as it opens?");
+  if (!(law.recovery > 0.0 && law.recovery <= 1.5))
+    refuse("recovery", law.recovery, "must be above 0 and at most 1.5. Is it in percent?");
+  if (!(law.opening >= 1.0))
+    refuse("opening", law.opening, "must be at least 1. A bed softens as it opens?");
   if (!(law.wall_friction >= 0.0))
     refuse("wall_friction", law.wall_friction, "must not be negative. Is its sign turned?");
   if (!(law.radial_ratio >= 0.0))
     refuse("radial_ratio", law.radial_ratio, "must not be negative. Is its sign turned?");
   if (!(law.reversal > 0.0))
     refuse("reversal", law.reversal, "must be positive. Is it in metres?");
+  if (!(law.onset_fill.decay > 0.0))
+    refuse("onset_fill.decay", law.onset_fill.decay, "must be positive. Is it in Pa?");
+  if (!(law.onset_crush.scale > 0.0))
+    refuse("onset_crush.scale", law.onset_crush.scale, "must be positive. Is it in Pa?");
+  if (!(law.onset_crush.modulus > 0.0))
+    refuse("onset_crush.modulus", law.onset_crush.modulus, "must be positive. Is its sign turned?");
+  if (!(law.stiffening.exponent > 0.0))
+    refuse("stiffening.exponent", law.stiffening.exponent,
+           "must be positive. A factor belongs to the stiffness?");
+  if (!(law.yielding.stress > 0.0))
+    refuse("yielding.stress", law.yielding.stress, "must be positive. Is it in Pa?");
+  if (!(law.yielding.size <= 1.0))
+    refuse("yielding.size", law.yielding.size, "must be at most 1. No more than all is lost?");
+}
+
+} // namespace
+
+double BedLaw::onset_at(double solid_fraction) const {
+  if (onset_fill.size == 0.0 && onset_crush.size == 0.0)
+    return onset;
+  double const s0 = stress_beyond(*this, solid_fraction - onset);
+  double const crushed = -std::expm1(-std::pow(s0 / onset_crush.scale, onset_crush.modulus));
+  return onset - onset_fill.size * std::exp(-s0 / onset_fill.decay) + onset_crush.size * crushed;
+}
+
+double BedLaw::loading(double solid_fraction) const {
+  return stress_beyond(*this, solid_fraction - onset_at(solid_fraction));
+}
+
+double BedLaw::unloading_stress(double solid_fraction, double most) const {
+  return loading(most) * stress_share(*this, way_left(*this, solid_fraction, most));
+}
+
+void validate(BedLaw const& law) {
+  validate_numbers(law);
+  validate(law.loading_rest, "loading_rest");
+  validate(law.unloading, "unloading");
+  validate(law.radial_loading, "radial_loading");
+  validate(law.radial_unloading, "radial_unloading");
+  validate(law.wall_loading, "wall_loading");
+  validate(law.wall_turn, "wall_turn");
+  VALIDATE(law.loading_rest.empty() || law.loading_rest.values.front() == 0.0,
+           "table loading_rest: does not begin at 0 (a bed that is far apart bears nothing). Is it "
+           "a factor instead?");
+  VALIDATE(law.unloading.empty() ||
+               (law.unloading.values.front() == 0.0 && law.unloading.values.back() == 1.0 &&
+                law.unloading.knots.front() >= 0.0 && law.unloading.knots.back() == 1.0),
+           "table unloading: does not run from a share of 0 to 1 at 1. Is it not a share of the "
+           "largest stress?");
 }
 
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height) {
-  double const phi = bed.solid_area / height, most = bed.solid_area / smallest_height;
-  bool const closes = height <= smallest_height;
-  double const stress = closes ? law.loading(phi) : law.unloading_stress(phi, most);
-  double const turn =
-      closes ? 1.0 : -1.0 + 2.0 * std::exp(-(height - smallest_height) / law.reversal);
-  double const wall = std::exp(turn * law.wall_friction * height / bed.bore);
+  double const phi = bed.solid_area / height;
+  double const most = bed.solid_area / std::min(height, smallest_height);
+  double const beyond = most - law.onset_at(most);
+  double const g = way_left(law, phi, most);
+  double const stress = law.loading(most) * stress_share(law, g);
+  double const radial = radial_closing(law, most) * radial_share(law, g);
   double const area = 0.25 * dem::pi * bed.bore * bed.bore;
-  return {.upper = area * stress * wall,
-          .lower = area * stress / wall,
-          .radial_pressure = law.radial_ratio * stress};
+  double const mu = law.wall_friction * or_one(law.wall_loading, beyond);
+  double const wall =
+      turned(law, height - smallest_height) * mu * radial * dem::pi * bed.bore * height;
+  double const carried = std::clamp(0.5 * wall, -area * stress, area * stress);
+  return {.upper = area * stress + carried,
+          .lower = area * stress - carried,
+          .radial_pressure = radial};
+}
+
+FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height) {
+  double const most = bed.solid_area / smallest_height;
+  double const beyond = most - law.onset_at(most);
+  if (beyond <= 0.0)
+    return {.height = smallest_height, .radial_pressure = 0.0};
+  double g = 0.0; // the last place without stress
+  for (std::size_t k = 0; k < law.unloading.knots.size() && law.unloading.values[k] <= 0.0; ++k)
+    g = law.unloading.knots[k];
+  return {.height = bed.solid_area / (most - (1.0 - g) * law.recovery * beyond),
+          .radial_pressure = radial_closing(law, most) * radial_share(law, g)};
 }
 
 } // namespace coupling::reduced

@@ -1,32 +1,76 @@
 #pragma once
 
+#include "coupling/reduced/table.hpp"
+
 namespace coupling::reduced {
 
-/// A powder bed between punches as one column: what thousands of grains sum up to, with eight
-/// numbers. The mean axial stress over the height, of the solid fraction phi,
-///   first loading   s = K (phi - phi_c)^n - S (phi - phi_c)
-///   unloading       s = s_m ((phi - phi_u) / (phi_m - phi_u))^p,  phi_u = phi_m - r (phi_m -
-///   phi_c)
-/// from the largest solid fraction phi_m on, where s_m is what loading reached; reloading goes back
-/// the same way. The wall carries part of it: with w = exp(q H / D), H the height and D the bore,
-///   s_top = s w^x,  s_bottom = s w^-x,  radial = k s
-/// where x is 1 while the bed is closed and turns to -1 as it opens, over the length d:
-///   x = -1 + 2 exp(-(h - h_m) / d).
+/// A fill that is not settled: the onset lies lower by size exp(-s0 / decay).
+struct OnsetFill {
+  double size = 0.0;  ///< [1]
+  double decay = 2e6; ///< [Pa], > 0
+};
+
+/// Grains that break and fill gaps: the onset lies higher by size (1 - exp(-(s0 / scale)^modulus)).
+struct OnsetCrush {
+  double size = 0.0;    ///< [1]
+  double scale = 25e6;  ///< [Pa], > 0
+  double modulus = 2.0; ///< Weibull's [1], > 0
+};
+
+/// Contacts that stiffen each other: K (1 + size x^exponent).
+struct Stiffening {
+  double size = 0.0;     ///< [1]
+  double exponent = 3.0; ///< [1], > 0
+};
+
+/// Contacts that yield: of s, size e^2 / (e + stress) is lost, e = max(0, s - stress).
+struct Yielding {
+  double size = 0.0;    ///< [1], share that is lost far beyond
+  double stress = 20e6; ///< [Pa], > 0
+};
+
+/// A powder bed between punches as one column: what thousands of grains sum up to, in a few numbers
+/// and the curves that a simulation filled in (fit_bed_law). phi is the solid fraction over the
+/// whole height, x = phi - phi_c what it lies above the onset, s the mean of both punches' stress.
+///   first loading  s = K (1 + a x^m) x^n - S x + K loading_rest(x), less what yielding loses
+///   unloading      s = s_m unloading(g),  g = 1 - (phi_m - phi) / (r x_m)
+/// from the largest solid fraction phi_m on; reloading goes back the same way. Radial pressure
+///   first loading  p = k radial_loading(x) s
+///   unloading      p = p_m radial_unloading(g)
+/// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
+/// wall_turn(h - h_m), x that of phi_m; it never carries more than the bed bears, |W| <= 2 A s:
+///   F_upper = A s + W / 2,  F_lower = A s - W / 2.
+/// The onset shifts with how far loading has gone, phi_c - fill + crush, both of s0, the stress at
+/// the same phi without them. An empty table stands for what is written beside it.
 struct BedLaw {
   double stiffness = 0.0;     ///< K [Pa], grows with Young's modulus
   double cohesion = 0.0;      ///< S [Pa], grows with the cohesion energy density
   double onset = 0.0;         ///< phi_c [1], where the bed begins to bear
   double exponent = 1.5;      ///< n [1]; 3/2 for Hertz contacts that keep their number
   double recovery = 0.9;      ///< r [1], share of the way to the onset that unloading goes back
-  double unloading = 1.5;     ///< p [1]
-  double wall_friction = 0.0; ///< q [1], 2 x coefficient of friction x radial ratio
+  double wall_friction = 0.0; ///< mu [1], of the powder on the die
   double radial_ratio = 0.5;  ///< k [1]
-  double reversal = 1e-5;     ///< d [m], over which the friction of the wall turns round
+  double opening = 2.5;       ///< p [1], while `unloading` is empty
+  double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
 
-  /// @param solid_fraction  phi; below the onset the bed bears nothing
+  OnsetFill onset_fill = {};
+  OnsetCrush onset_crush = {};
+  Stiffening stiffening = {};
+  Yielding yielding = {};
+
+  Table loading_rest = {};     ///< what the formula misses, / K, over x, also below 0 [1]; empty: 0
+  Table unloading = {};        ///< s / s_m over g [1], from 0 to 1 at g = 1; empty: g^p
+  Table radial_loading = {};   ///< factor on k over x [1]; empty: 1
+  Table radial_unloading = {}; ///< p / p_m over g [1], to 1 at g = 1; empty: sqrt(s / s_m)
+  Table wall_loading = {};     ///< factor on mu over x [1]; empty: 1
+  Table wall_turn = {}; ///< t over h - h_m [m], from 1 at 0; empty: -1 + 2 exp(-(h - h_m) / d)
+
+  /// Not below 0. @param solid_fraction  phi
   double loading(double solid_fraction) const;
   /// @param most  phi_m >= phi
   double unloading_stress(double solid_fraction, double most) const;
+  /// phi_c as it is when first loading has come to phi.
+  double onset_at(double solid_fraction) const;
 };
 
 /// Refuses numbers that make no bed. @throws dem::InvalidInput
@@ -46,5 +90,12 @@ struct BedForces {
 
 /// Forces at the height h when the smallest height so far is h_m <= h.
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height);
+
+/// The compact in its die once it bears no stress: where unloading from h_m has come to s = 0.
+struct FreeCompact {
+  double height;          ///< [m]
+  double radial_pressure; ///< that remains there [Pa]
+};
+FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height);
 
 } // namespace coupling::reduced

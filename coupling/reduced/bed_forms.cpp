@@ -1,0 +1,157 @@
+#include "coupling/reduced/bed_forms.hpp"
+
+#include "coupling/study/box_minimum.hpp"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+
+namespace coupling::reduced {
+namespace {
+
+using Eigen::Index;
+using Eigen::VectorXd;
+
+constexpr double unit = 1e-3; // of the largest |y|: what counts as one deviation
+
+Eigen::Map<VectorXd const> view(std::vector<double> const& values) {
+  return {values.data(), static_cast<Index>(values.size())};
+}
+
+/// Residuals of a form with a few nonlinear unknowns, slopes by central differences.
+template <class ResidualAt> study::ResidualsAt with_slopes(ResidualAt residual, study::Box box) {
+  return [residual, box](VectorXd const& u) {
+    study::Residuals at{residual(u), {}};
+    at.slopes.resize(at.values.size(), u.size());
+    for (Index k = 0; k < u.size(); ++k) {
+      double const step = 1e-5 * (box.high[k] - box.low[k]);
+      VectorXd more = u, less = u;
+      more[k] += step, less[k] -= step;
+      at.slopes.col(k) = step > 0.0 ? VectorXd((residual(more) - residual(less)) / (2.0 * step))
+                                    : VectorXd::Zero(at.values.size());
+    }
+    return at;
+  };
+}
+
+/// Linear coefficient of `basis` in least squares of y, inside bounds.
+double coefficient(VectorXd const& basis, VectorXd const& y, double low, double high) {
+  double const size = basis.squaredNorm();
+  return size > 0.0 ? std::clamp(basis.dot(y) / size, low, high) : low;
+}
+
+VectorXd root_weights(WeightedCurve const& curve) {
+  return view(curve.weight).cwiseSqrt() /
+         (unit * std::max(view(curve.y).cwiseAbs().maxCoeff(), 1e-300));
+}
+
+LoadingForm loading_form(WeightedCurve const& curve, VectorXd const& root, double c, double n) {
+  VectorXd const beyond = (view(curve.x).array() - c).max(0.0);
+  VectorXd const power = root.cwiseProduct(VectorXd(beyond.array().pow(n)));
+  VectorXd const line = -root.cwiseProduct(beyond);
+  VectorXd const y = root.cwiseProduct(view(curve.y));
+  Eigen::Matrix2d const A{{power.dot(power), power.dot(line)}, {power.dot(line), line.dot(line)}};
+  Eigen::Vector2d const both = A.ldlt().solve(Eigen::Vector2d(power.dot(y), line.dot(y)));
+  if (both.allFinite() && both[1] > 0.0)
+    return {both[0], both[1], c, n};
+  return {power.dot(y) / std::max(power.dot(power), 1e-300), 0.0, c, n};
+}
+
+OpeningForm opening_form(WeightedCurve const& curve, VectorXd const& root, VectorXd const& u) {
+  OpeningForm form{u[0], 0.0, u[1], u[2]};
+  Eigen::ArrayXd const g = (1.0 - view(curve.x).array() / u[0]).max(0.0);
+  Eigen::ArrayXd const quick = g.pow(u[2]);
+  form.share = coefficient(root.array() * (g.pow(u[1]) - quick),
+                           root.array() * (view(curve.y).array() - quick), 0.0, 1.0);
+  return form;
+}
+
+TurnForm turn_form(WeightedCurve const& curve, VectorXd const& root, double length) {
+  Eigen::ArrayXd const left = (-view(curve.x).array() / length).exp();
+  return {coefficient(root.array() * (1.0 - left), root.array() * (view(curve.y).array() - left),
+                      -1.0, 0.0),
+          length};
+}
+
+} // namespace
+
+double LoadingForm::at(double x) const {
+  double const beyond = std::max(x - onset, 0.0);
+  return stiffness * std::pow(beyond, exponent) - cohesion * beyond;
+}
+
+double OpeningForm::at_way_left(double g) const {
+  return g > 0.0 ? share * std::pow(g, slow) + (1.0 - share) * std::pow(g, quick) : 0.0;
+}
+
+double TurnForm::at(double z) const {
+  return end + (1.0 - end) * std::exp(-z / length);
+}
+
+WeightedCurve weighted(std::vector<double> x, std::vector<double> y) {
+  std::size_t const last = x.size() - 1;
+  std::vector<double> weight(x.size());
+  for (std::size_t k = 0; k <= last; ++k)
+    weight[k] =
+        0.5 * std::abs((x[std::min(k + 1, last)] - x[k > 0 ? k - 1 : 0]) / (x[last] - x[0]));
+  return {std::move(x), std::move(y), std::move(weight)};
+}
+
+LoadingForm fit_loading(WeightedCurve const& curve, std::optional<double> onset,
+                        std::optional<double> exponent) {
+  VectorXd const root = root_weights(curve);
+  double const first = curve.x.front(), way = curve.x.back() - first;
+  // Where the first point bears, the onset lies behind.
+  study::Box box{Eigen::Vector2d(first - 0.5 * way, 1.05), Eigen::Vector2d(first, 4.0)};
+  if (onset)
+    box.low[0] = box.high[0] = *onset;
+  if (exponent)
+    box.low[1] = box.high[1] = *exponent;
+  auto const residual = [&](VectorXd const& u) {
+    auto const form = loading_form(curve, root, u[0], u[1]);
+    VectorXd departure(root.size());
+    for (Index k = 0; k < root.size(); ++k)
+      departure[k] = root[k] * (curve.y[static_cast<std::size_t>(k)] -
+                                form.at(curve.x[static_cast<std::size_t>(k)]));
+    return departure;
+  };
+  auto const found = study::minimise_in(with_slopes(residual, box), box);
+  return loading_form(curve, root, found.x[0], found.x[1]);
+}
+
+OpeningForm fit_opening(WeightedCurve const& curve) {
+  VectorXd const root = root_weights(curve);
+  study::Box const box{Eigen::Vector3d(0.1, 1.0, 6.0), Eigen::Vector3d(1.2, 6.0, 60.0)};
+  auto const residual = [&](VectorXd const& u) {
+    auto const form = opening_form(curve, root, u);
+    VectorXd departure(root.size());
+    for (Index k = 0; k < root.size(); ++k) {
+      auto const i = static_cast<std::size_t>(k);
+      departure[k] = root[k] * (curve.y[i] - form.at_way_left(1.0 - curve.x[i] / form.recovery));
+    }
+    return departure;
+  };
+  auto const found = study::minimise_in(with_slopes(residual, box), box);
+  return opening_form(curve, root, found.x);
+}
+
+TurnForm fit_turn(WeightedCurve const& curve) {
+  VectorXd const root = root_weights(curve);
+  // In logarithms; between the turn and the first point nothing is known.
+  study::Box const box{VectorXd::Constant(1, std::log(0.5 * curve.x.front())),
+                       VectorXd::Constant(1, std::log(curve.x.back()))};
+  auto const residual = [&](VectorXd const& u) {
+    auto const form = turn_form(curve, root, std::exp(u[0]));
+    VectorXd departure(root.size());
+    for (Index k = 0; k < root.size(); ++k) {
+      auto const i = static_cast<std::size_t>(k);
+      departure[k] = root[k] * (curve.y[i] - form.at(curve.x[i]));
+    }
+    return departure;
+  };
+  auto const found = study::minimise_in(with_slopes(residual, box), box);
+  return turn_form(curve, root, std::exp(found.x[0]));
+}
+
+} // namespace coupling::reduced
