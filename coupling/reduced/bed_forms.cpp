@@ -19,22 +19,6 @@ Eigen::Map<VectorXd const> view(std::vector<double> const& values) {
   return {values.data(), static_cast<Index>(values.size())};
 }
 
-/// Residuals of a form with a few nonlinear unknowns, slopes by central differences.
-template <class ResidualAt> study::ResidualsAt with_slopes(ResidualAt residual, study::Box box) {
-  return [residual, box](VectorXd const& u) {
-    study::Residuals at{residual(u), {}};
-    at.slopes.resize(at.values.size(), u.size());
-    for (Index k = 0; k < u.size(); ++k) {
-      double const step = 1e-5 * (box.high[k] - box.low[k]);
-      VectorXd more = u, less = u;
-      more[k] += step, less[k] -= step;
-      at.slopes.col(k) = step > 0.0 ? VectorXd((residual(more) - residual(less)) / (2.0 * step))
-                                    : VectorXd::Zero(at.values.size());
-    }
-    return at;
-  };
-}
-
 /// Linear coefficient of `basis` in least squares of y, inside bounds.
 double coefficient(VectorXd const& basis, VectorXd const& y, double low, double high) {
   double const size = basis.squaredNorm();
@@ -46,16 +30,21 @@ VectorXd root_weights(WeightedCurve const& curve) {
          (unit * std::max(view(curve.y).cwiseAbs().maxCoeff(), 1e-300));
 }
 
-LoadingForm loading_form(WeightedCurve const& curve, VectorXd const& root, double c, double n) {
+LoadingForm loading_form(WeightedCurve const& curve, VectorXd const& root, LoadingHeld const& held,
+                         double c, double n) {
   VectorXd const beyond = (view(curve.x).array() - c).max(0.0);
-  VectorXd const power = root.cwiseProduct(VectorXd(beyond.array().pow(n)));
+  VectorXd power = beyond.array().pow(n);
+  if (!held.rest.empty())
+    for (Index k = 0; k < power.size(); ++k)
+      power[k] += held.rest.at(curve.x[static_cast<std::size_t>(k)] - c);
+  power.array() *= root.array();
   VectorXd const line = -root.cwiseProduct(beyond);
   VectorXd const y = root.cwiseProduct(view(curve.y));
   Eigen::Matrix2d const A{{power.dot(power), power.dot(line)}, {power.dot(line), line.dot(line)}};
   Eigen::Vector2d const both = A.ldlt().solve(Eigen::Vector2d(power.dot(y), line.dot(y)));
   if (both.allFinite() && both[1] > 0.0)
-    return {both[0], both[1], c, n};
-  return {power.dot(y) / std::max(power.dot(power), 1e-300), 0.0, c, n};
+    return {both[0], both[1], c, n, held.rest};
+  return {power.dot(y) / std::max(power.dot(power), 1e-300), 0.0, c, n, held.rest};
 }
 
 OpeningForm opening_form(WeightedCurve const& curve, VectorXd const& root, VectorXd const& u) {
@@ -74,11 +63,40 @@ TurnForm turn_form(WeightedCurve const& curve, VectorXd const& root, double leng
           length};
 }
 
+/// Nonlinear unknowns of least weighted squares in a box, slopes by central differences.
+/// @param form_of  u -> (x -> y)
+template <class FormOf>
+VectorXd least(WeightedCurve const& curve, VectorXd const& root, study::Box const& box,
+               FormOf const& form_of) {
+  auto const residual = [&](VectorXd const& u) {
+    auto const form = form_of(u);
+    VectorXd missed(root.size());
+    for (Index k = 0; k < root.size(); ++k) {
+      auto const i = static_cast<std::size_t>(k);
+      missed[k] = root[k] * (curve.y[i] - form(curve.x[i]));
+    }
+    return missed;
+  };
+  auto const with_slopes = [&](VectorXd const& u) {
+    study::Residuals at{residual(u), Eigen::MatrixXd::Zero(root.size(), u.size())};
+    for (Index k = 0; k < u.size(); ++k) {
+      double const step = 1e-5 * (box.high[k] - box.low[k]);
+      VectorXd more = u, less = u;
+      more[k] += step, less[k] -= step;
+      if (step > 0.0)
+        at.slopes.col(k) = (residual(more) - residual(less)) / (2.0 * step);
+    }
+    return at;
+  };
+  return study::minimise_in(with_slopes, box).x;
+}
+
 } // namespace
 
 double LoadingForm::at(double x) const {
   double const beyond = std::max(x - onset, 0.0);
-  return stiffness * std::pow(beyond, exponent) - cohesion * beyond;
+  double const missed = rest.empty() ? 0.0 : rest.at(x - onset);
+  return stiffness * (std::pow(beyond, exponent) + missed) - cohesion * beyond;
 }
 
 double OpeningForm::at_way_left(double g) const {
@@ -98,60 +116,50 @@ WeightedCurve weighted(std::vector<double> x, std::vector<double> y) {
   return {std::move(x), std::move(y), std::move(weight)};
 }
 
-LoadingForm fit_loading(WeightedCurve const& curve, std::optional<double> onset,
-                        std::optional<double> exponent) {
+LoadingForm fit_loading_form(WeightedCurve const& curve, LoadingHeld const& held) {
   VectorXd const root = root_weights(curve);
   double const first = curve.x.front(), way = curve.x.back() - first;
-  // Where the first point bears, the onset lies behind.
-  study::Box box{Eigen::Vector2d(first - 0.5 * way, 1.05), Eigen::Vector2d(first, 4.0)};
-  if (onset)
-    box.low[0] = box.high[0] = *onset;
-  if (exponent)
-    box.low[1] = box.high[1] = *exponent;
-  auto const residual = [&](VectorXd const& u) {
-    auto const form = loading_form(curve, root, u[0], u[1]);
-    VectorXd departure(root.size());
-    for (Index k = 0; k < root.size(); ++k)
-      departure[k] = root[k] * (curve.y[static_cast<std::size_t>(k)] -
-                                form.at(curve.x[static_cast<std::size_t>(k)]));
-    return departure;
-  };
-  auto const found = study::minimise_in(with_slopes(residual, box), box);
-  return loading_form(curve, root, found.x[0], found.x[1]);
+  // Where the first point bears, the onset lies behind, unless the rest bears before it.
+  study::Box box{Eigen::Vector2d(first - 0.5 * way, 1.05),
+                 Eigen::Vector2d(held.rest.empty() ? first : first + 0.25 * way, 4.0)};
+  if (held.onset)
+    box.low[0] = box.high[0] = *held.onset;
+  if (held.exponent)
+    box.low[1] = box.high[1] = *held.exponent;
+  auto const form = [&](VectorXd const& u) { return loading_form(curve, root, held, u[0], u[1]); };
+  return form(least(curve, root, box, [&](VectorXd const& u) {
+    return [at = form(u)](double x) { return at.at(x); };
+  }));
 }
 
-OpeningForm fit_opening(WeightedCurve const& curve) {
+OpeningForm fit_opening_form(WeightedCurve const& curve) {
   VectorXd const root = root_weights(curve);
-  study::Box const box{Eigen::Vector3d(0.1, 1.0, 6.0), Eigen::Vector3d(1.2, 6.0, 60.0)};
-  auto const residual = [&](VectorXd const& u) {
-    auto const form = opening_form(curve, root, u);
-    VectorXd departure(root.size());
-    for (Index k = 0; k < root.size(); ++k) {
-      auto const i = static_cast<std::size_t>(k);
-      departure[k] = root[k] * (curve.y[i] - form.at_way_left(1.0 - curve.x[i] / form.recovery));
-    }
-    return departure;
-  };
-  auto const found = study::minimise_in(with_slopes(residual, box), box);
-  return opening_form(curve, root, found.x);
+  study::Box const box{Eigen::Vector3d(0.1, 1.0, 6.0), Eigen::Vector3d(1.4, 6.0, 60.0)};
+  return opening_form(curve, root, least(curve, root, box, [&](VectorXd const& u) {
+                        return [at = opening_form(curve, root, u)](double z) {
+                          return at.at_way_left(1.0 - z / at.recovery);
+                        };
+                      }));
 }
 
-TurnForm fit_turn(WeightedCurve const& curve) {
+Stretch fit_stretch(WeightedCurve const& curve, Table const& shape) {
+  VectorXd const root = root_weights(curve);
+  study::Box const box{Eigen::Vector2d(0.1, 0.3), Eigen::Vector2d(1.5, 3.0)};
+  VectorXd const u = least(curve, root, box, [&](VectorXd const& at) {
+    return [&shape, r = at[0], p = at[1]](double z) { return std::pow(shape.at(1.0 - z / r), p); };
+  });
+  return {u[0], u[1]};
+}
+
+TurnForm fit_turn_form(WeightedCurve const& curve) {
   VectorXd const root = root_weights(curve);
   // In logarithms; between the turn and the first point nothing is known.
   study::Box const box{VectorXd::Constant(1, std::log(0.5 * curve.x.front())),
                        VectorXd::Constant(1, std::log(curve.x.back()))};
-  auto const residual = [&](VectorXd const& u) {
-    auto const form = turn_form(curve, root, std::exp(u[0]));
-    VectorXd departure(root.size());
-    for (Index k = 0; k < root.size(); ++k) {
-      auto const i = static_cast<std::size_t>(k);
-      departure[k] = root[k] * (curve.y[i] - form.at(curve.x[i]));
-    }
-    return departure;
-  };
-  auto const found = study::minimise_in(with_slopes(residual, box), box);
-  return turn_form(curve, root, std::exp(found.x[0]));
+  auto const form = [&](VectorXd const& u) { return turn_form(curve, root, std::exp(u[0])); };
+  return form(least(curve, root, box, [&](VectorXd const& u) {
+    return [at = form(u)](double z) { return at.at(z); };
+  }));
 }
 
 } // namespace coupling::reduced

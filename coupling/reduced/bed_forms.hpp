@@ -1,5 +1,7 @@
 #pragma once
 
+#include "coupling/reduced/table.hpp"
+
 #include <optional>
 #include <vector>
 
@@ -14,18 +16,24 @@ struct WeightedCurve {
 /// that records that crowd count no more. @param x  increasing or falling, two or more
 WeightedCurve weighted(std::vector<double> x, std::vector<double> y);
 
-/// y = K (x - c)^n - S (x - c) beyond c, nothing below.
+/// y = K ((x - c)^n + rest(x - c)) - S (x - c) beyond c, K rest below.
 struct LoadingForm {
   double stiffness, cohesion; ///< K > 0, S >= 0, in units of y
   double onset, exponent;     ///< c, n
+  Table rest;                 ///< empty: 0
 
   double at(double x) const;
 };
 
+/// What of a LoadingForm is known.
+struct LoadingHeld {
+  std::optional<double> onset, exponent;
+  Table rest;
+};
+
 /// Least squares, K and S by linear ones at each c and n (variable projection: Golub, Pereyra, SIAM
-/// J. Numer. Anal. 10 (1973) 413). @param onset, exponent  held if given
-LoadingForm fit_loading(WeightedCurve const& curve, std::optional<double> onset,
-                        std::optional<double> exponent);
+/// J. Numer. Anal. 10 (1973) 413).
+LoadingForm fit_loading_form(WeightedCurve const& curve, LoadingHeld const& held);
 
 /// y = c g^p + (1 - c) g^q with g = 1 - z / r, nothing at and below g = 0.
 struct OpeningForm {
@@ -37,7 +45,15 @@ struct OpeningForm {
 };
 
 /// @param curve  y over z, 0 at the turn
-OpeningForm fit_opening(WeightedCurve const& curve);
+OpeningForm fit_opening_form(WeightedCurve const& curve);
+
+/// y = shape(g)^power with g = 1 - z / r.
+struct Stretch {
+  double recovery, power; ///< r, p
+};
+
+/// @param shape  y over g
+Stretch fit_stretch(WeightedCurve const& curve, Table const& shape);
 
 /// y = e + (1 - e) exp(-z / d).
 struct TurnForm {
@@ -47,6 +63,6 @@ struct TurnForm {
 };
 
 /// @param curve  weights may be any
-TurnForm fit_turn(WeightedCurve const& curve);
+TurnForm fit_turn_form(WeightedCurve const& curve);
 
 } // namespace coupling::reduced

@@ -31,14 +31,14 @@ double stress_beyond(BedLaw const& law, double x) {
 double way_left(BedLaw const& law, double solid_fraction, double most) {
   if (solid_fraction >= most)
     return 1.0;
-  double const way = law.recovery * (most - law.onset_at(most));
-  return way > 0.0 ? 1.0 - (most - solid_fraction) / way : 0.0; // before the onset: at once
+  double const way = law.recovery * std::log(most / law.onset_at(most));
+  return way > 0.0 ? 1.0 - std::log(most / solid_fraction) / way : 0.0; // before the onset: at once
 }
 
 double stress_share(BedLaw const& law, double g) {
   if (g <= 0.0)
     return 0.0;
-  return law.unloading.empty() ? std::pow(g, law.opening) : law.unloading.at(g);
+  return std::pow(law.unloading.empty() ? g : law.unloading.at(g), law.opening);
 }
 
 double radial_share(BedLaw const& law, double g) {
@@ -74,8 +74,8 @@ void validate_numbers(BedLaw const& law) {
     refuse("exponent", law.exponent, "must be at least 1. A bed stiffens as it closes?");
   if (!(law.recovery > 0.0 && law.recovery <= 1.5))
     refuse("recovery", law.recovery, "must be above 0 and at most 1.5. Is it in percent?");
-  if (!(law.opening >= 1.0))
-    refuse("opening", law.opening, "must be at least 1. A bed softens as it opens?");
+  if (!(law.opening > 0.0))
+    refuse("opening", law.opening, "must be positive. Is its sign turned?");
   if (!(law.wall_friction >= 0.0))
     refuse("wall_friction", law.wall_friction, "must not be negative. Is its sign turned?");
   if (!(law.radial_ratio >= 0.0))
@@ -152,13 +152,13 @@ BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double sm
 
 FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height) {
   double const most = bed.solid_area / smallest_height;
-  double const beyond = most - law.onset_at(most);
-  if (beyond <= 0.0)
+  if (most <= law.onset_at(most))
     return {.height = smallest_height, .radial_pressure = 0.0};
   double g = 0.0; // the last place without stress
   for (std::size_t k = 0; k < law.unloading.knots.size() && law.unloading.values[k] <= 0.0; ++k)
     g = law.unloading.knots[k];
-  return {.height = bed.solid_area / (most - (1.0 - g) * law.recovery * beyond),
+  double const strain = (1.0 - g) * law.recovery * std::log(most / law.onset_at(most));
+  return {.height = smallest_height * std::exp(strain),
           .radial_pressure = radial_closing(law, most) * radial_share(law, g)};
 }
 

@@ -33,8 +33,9 @@ struct Yielding {
 /// and the curves that a simulation filled in (fit_bed_law). phi is the solid fraction over the
 /// whole height, x = phi - phi_c what it lies above the onset, s the mean of both punches' stress.
 ///   first loading  s = K (1 + a x^m) x^n - S x + K loading_rest(x), less what yielding loses
-///   unloading      s = s_m unloading(g),  g = 1 - (phi_m - phi) / (r x_m)
-/// from the largest solid fraction phi_m on; reloading goes back the same way. Radial pressure
+///   unloading      s = s_m unloading(g)^p,  g = 1 - ln(phi_m / phi) / (r ln(phi_m / phi_c))
+/// from the largest solid fraction phi_m on; reloading goes back the same way. (In logarithmic
+/// strain curves from different phi_m fall on each other; README.) Radial pressure
 ///   first loading  p = k radial_loading(x) s
 ///   unloading      p = p_m radial_unloading(g)
 /// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
@@ -50,7 +51,7 @@ struct BedLaw {
   double recovery = 0.9;      ///< r [1], share of the way to the onset that unloading goes back
   double wall_friction = 0.0; ///< mu [1], of the powder on the die
   double radial_ratio = 0.5;  ///< k [1]
-  double opening = 2.5;       ///< p [1], while `unloading` is empty
+  double opening = 2.5;       ///< p [1], exponent of unloading; 1 with a fitted table
   double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
 
   OnsetFill onset_fill = {};
@@ -59,7 +60,7 @@ struct BedLaw {
   Yielding yielding = {};
 
   Table loading_rest = {};     ///< what the formula misses, / K, over x, also below 0 [1]; empty: 0
-  Table unloading = {};        ///< s / s_m over g [1], from 0 to 1 at g = 1; empty: g^p
+  Table unloading = {};        ///< (s / s_m)^(1/p) over g [1], from 0 to 1 at g = 1; empty: g
   Table radial_loading = {};   ///< factor on k over x [1]; empty: 1
   Table radial_unloading = {}; ///< p / p_m over g [1], to 1 at g = 1; empty: sqrt(s / s_m)
   Table wall_loading = {};     ///< factor on mu over x [1]; empty: 1
