@@ -20,7 +20,7 @@ reduced::PressModel model_of(CaseQuestion const& question, reduced::PressPlan co
 } // namespace
 
 CaseDiagnosis::CaseDiagnosis(CaseQuestion const& question)
-    : question_(question), rows_(measured_rows(question.data, measured::Role::fit)),
+    : question_(question), rows_(reduced::measured_rows(question.data, measured::Role::fit)),
       model_(model_of(question, rows_.plan)), observations_(rows_.blocks),
       sources_(error_sources(model_, rows_.channels, question.simulated.fit)),
       found_(diagnose(observations_, model_, sources_, question.settings)),
@@ -98,6 +98,7 @@ Finding CaseDiagnosis::finding() const {
   parts.provenance = question_.provenance;
   for (auto const& decision : question_.data.decisions)
     parts.decisions.push_back(in_words(decision));
+  parts.decisions.push_back(in_words(question_.simulated.fit));
   for (auto const* const words : {&rows_.left_out, &question_.simulated.fit.statements})
     parts.decisions.insert(parts.decisions.end(), words->begin(), words->end());
   parts.places = places_of(rows_.plan);

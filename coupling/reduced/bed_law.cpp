@@ -154,12 +154,15 @@ FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_heig
   double const most = bed.solid_area / smallest_height;
   if (most <= law.onset_at(most))
     return {.height = smallest_height, .radial_pressure = 0.0};
-  double g = 0.0; // the last place without stress
-  for (std::size_t k = 0; k < law.unloading.knots.size() && law.unloading.values[k] <= 0.0; ++k)
-    g = law.unloading.knots[k];
-  double const strain = (1.0 - g) * law.recovery * std::log(most / law.onset_at(most));
-  return {.height = smallest_height * std::exp(strain),
-          .radial_pressure = radial_closing(law, most) * radial_share(law, g)};
+  double const least = free_share * bed_forces(law, bed, smallest_height, smallest_height).upper;
+  double low = smallest_height;
+  double high = low * std::exp(law.recovery * std::log(most / law.onset_at(most)));
+  while (high - low > 1e-10 * high) {
+    double const middle = 0.5 * (low + high);
+    (bed_forces(law, bed, middle, smallest_height).upper > least ? low : high) = middle;
+  }
+  return {.height = high,
+          .radial_pressure = bed_forces(law, bed, high, smallest_height).radial_pressure};
 }
 
 } // namespace coupling::reduced

@@ -92,7 +92,10 @@ struct BedForces {
 /// Forces at the height h when the smallest height so far is h_m <= h.
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height);
 
-/// The compact in its die once it bears no stress: where unloading from h_m has come to s = 0.
+/// The compact in its die when the upper punch leaves it: where its force has fallen to free_share
+/// of what it was at h_m. (How the last of it fades is no measurement. What the wall still holds
+/// may press on the lower punch.)
+inline constexpr double free_share = 5e-4;
 struct FreeCompact {
   double height;          ///< [m]
   double radial_pressure; ///< that remains there [Pa]

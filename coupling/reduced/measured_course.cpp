@@ -12,7 +12,7 @@
 namespace coupling::reduced {
 namespace {
 
-constexpr std::size_t n_points = 60; ///< of each stroke
+constexpr std::size_t n_points = 24; ///< of each stroke
 constexpr double near_share = 0.15;  ///< of the stroke, where its end is taken to be straight
 
 struct Reading {

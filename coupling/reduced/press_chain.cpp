@@ -24,8 +24,8 @@ std::vector<double> moments(GapCourse const& course, std::vector<double> const& 
   return all;
 }
 
-/// h with h = at_rest + D(F_upper(h)). F falls as h grows, so that the root lies between at_rest
-/// and at_rest + D(F_upper(at_rest)).
+/// h with h = at_rest + D(F_upper(h)). Where F falls as h grows the root lies between at_rest and
+/// at_rest + D(F_upper(at_rest)); a compact that hangs on the wall may let F rise for a little.
 double meet(PressedBed const& pressed, FrameLaw const& frame, double at_rest, double smallest,
             PressMoment const& moment) {
   if (frame.is_rigid())
@@ -37,7 +37,10 @@ double meet(PressedBed const& pressed, FrameLaw const& frame, double at_rest, do
   double const lowest = departure(at_rest);
   if (lowest == 0.0)
     return at_rest;
-  double const high = at_rest - lowest, highest = departure(high);
+  double step = -lowest, highest = departure(at_rest + step);
+  while (highest < 0.0)
+    step *= 2.0, highest = departure(at_rest + step);
+  double const high = at_rest + step;
   if (highest == 0.0)
     return high;
   std::uintmax_t most = 200;

@@ -50,6 +50,17 @@ double specific_volume(Powder const& powder) {
   return volume;
 }
 
+std::string in_words(BedFit const& fit) {
+  return fmt::format(
+      "the emulator stands for its simulation within {:.2g} % of the largest force in loading and "
+      "{:.2g} % in unloading (r.m.s. of the upper punch; {} and {} records; K = {:.4g} Pa, S = "
+      "{:.4g} Pa, onset {:.4f}, exponent {:.3f}, recovery {:.3f}, wall friction {:.3f}, radial "
+      "ratio {:.3f})",
+      100.0 * fit.loading_upper.rms, 100.0 * fit.unloading_upper.rms, fit.n_loading,
+      fit.n_unloading, fit.law.stiffness, fit.law.cohesion, fit.law.onset, fit.law.exponent,
+      fit.law.recovery, fit.law.wall_friction, fit.law.radial_ratio);
+}
+
 SimulatedPress simulated_press(fs::path const& run_folder) {
   auto const file = run_folder / "case.resolved.prm";
   VALIDATE(fs::exists(file), fmt::format("{}: is not there (a simulation is a run folder). Is the "

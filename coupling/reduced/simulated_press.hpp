@@ -24,6 +24,9 @@ SimulatedPress simulated_press(std::filesystem::path const& run_folder);
 /// The same bed with the laboratory's mass of the same powder in the laboratory's die.
 Press in_laboratory(SimulatedPress const& simulated, measured::Sample const& sample);
 
+/// How well the emulator stands for its simulation, in a sentence.
+std::string in_words(BedFit const& fit);
+
 /// Volume of the solid of a powder over its mass, sum of w_i / rho_i [m^3/kg].
 double specific_volume(Powder const& powder);
 

@@ -14,7 +14,7 @@ struct Powder {
   double exponent = 1.6;         ///< n [1]
   double radial_ratio = 0.51;    ///< [1], radial over axial stress
   double wall_friction = 0.205;  ///< [1], gives a lower punch 0.86 of the upper at the peak
-  double recovery = 0.878;       ///< [1], share of the way back to the onset
+  double recovery = 0.859;       ///< [1], share of the way back to the onset, as strain
   double curvature = 2.85;       ///< b [1] of the unloading
   double residual = 0.03;        ///< [1], radial pressure that stays, of the largest
   double wall_stiffness = 4e11;  ///< [Pa/m], shear of the wall layer before it slides
@@ -23,7 +23,8 @@ struct Powder {
 
 /// The bed's law, stress as the free variable, so that history is one number, the largest stress:
 ///   first loading  s = K x^n (1 + multi-contact) - S x,     phi = phi_c(s) + x
-///   below s_m      phi = phi_u + (phi_m - phi_u) ln(1 + (e^b - 1) s / s_m) / b
+///   below s_m      ln(phi_m / phi) = r ln(phi_m / phi_c) (1 - ln(1 + (e^b - 1) s / s_m) / b)
+/// In logarithmic strain, as full-size grains unloaded from different gaps fall on each other.
 class BedLaw {
 public:
   BedLaw(Powder const& powder, Effects const& effects);
