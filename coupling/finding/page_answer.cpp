@@ -48,9 +48,10 @@ std::string alarm_in_words(Alarm const& alarm) {
     return "";
   // The references are draws, so a p is never smaller than one over their number.
   return fmt::format(
-      "So large a departure arises by chance with probability {:.2g}, one that looks "
-      "like a known cause with {:.2g}; an alarm is raised {:.2g} % of the time when "
-      "nothing is wrong.",
+      "So large a departure arises by chance with a probability of at most {:.2g}, one that looks "
+      "like a known cause of at most {:.2g}; an alarm is raised {:.2g} % of the time when nothing "
+      "is "
+      "wrong.",
       alarm.p_omnibus, alarm.p_targeted, 100.0 * alarm.level);
 }
 

@@ -189,6 +189,7 @@ inline Finding undecided() {
 inline Finding unknown() {
   Finding finding = named();
   finding.verdict = "unknown";
+  finding.sentences = {"no known cause explains the misfit: the best, breakage, takes 41 % of it"};
   finding.causes.clear();
   finding.gain.reset();
   finding.placebo.reset();
