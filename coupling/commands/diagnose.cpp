@@ -2,6 +2,7 @@
 #include "coupling/commands/execute.hpp"
 #include "coupling/finding/case_diagnosis.hpp"
 #include "coupling/finding/finding_json.hpp"
+#include "coupling/finding/finding_page.hpp"
 #include "coupling/measured/read_measured.hpp"
 #include "coupling/press_output.hpp"
 #include "coupling/press_set_up.hpp"
@@ -74,10 +75,13 @@ int simulate(CaseChoice choice, measured::MeasuredData const& data, fs::path con
 }
 
 /// What was found, as files and in words.
-void publish(finding::Finding const& found, Case const& setup, fs::path const& folder) {
+void publish(finding::Finding found, Case const& setup, fs::path const& folder) {
   auto const extended = extended_case(setup, found);
+  found.extension = extended.changes;
+  found.not_modelled = extended.not_modelled;
   fs::create_directories(folder);
   write_file(folder / "extended.prm", extended.text);
+  write_file(folder / "report.html", finding_page(found));
   write_file(folder / "diagnosis.json", diagnosis_json(found));
   std::cout << "verdict: " << found.verdict << (found.is_incomplete ? " (incomplete)" : "") << '\n';
   for (auto const& sentence : found.sentences)

@@ -1,63 +1,83 @@
 #include "coupling/finding/cause_words.hpp"
 
-#include "coupling/report/html.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace coupling::finding {
 namespace {
 
 struct CauseWords {
-  std::string_view name, words, meaning;
+  std::string_view name, noun, words, meaning, check;
 };
 
-// What a cause is called on the page, and what it is on a press.
+// What a cause is called on the page, what it is on a press, and how to look for it there.
 constexpr std::array<CauseWords, 20> causes{{
-    {"frame_compliance", "the press frame gives way",
+    {"frame_compliance", "compliance of the press frame", "the press frame gives way",
      "Frame, columns and punches stretch under load: the punch faces stand further apart than the "
-     "travel says."},
-    {"gap_offset", "the zero of the punch gap is off",
-     "The gap between the punches is wrong by the same amount all the way."},
-    {"force_gain", "the load cell shows a wrong share of the force",
-     "Every force is too high or too low by the same percentage."},
-    {"force_offset", "the load cell is not zeroed",
-     "Every force is too high or too low by the same number of newtons."},
-    {"force_lag", "the load cell lags behind",
-     "The shown force follows the true one late, as behind a slow filter."},
-    {"thermal_drift", "the press warms up and the gap drifts",
-     "The gap changes slowly with time, whatever the force is."},
-    {"mass_error", "the mass of powder is wrong",
-     "There was more or less powder in the die than was written down."},
-    {"die_size", "the bore of the die has another diameter",
-     "The die is worn, or its diameter was measured wrongly."},
-    {"punch_tilt", "the punch is tilted",
-     "One side of the punch face stands lower than the other."},
-    {"wall_friction", "the die wall rubs more or less than assumed",
-     "Friction between powder and die wall differs from the value of the case."},
-    {"particle_friction", "the grains rub on each other more or less than assumed",
-     "Friction between grains differs from the value of the case."},
-    {"young_modulus", "the grains are stiffer or softer than the sheet says",
-     "Young's modulus of the grains differs from the material sheet."},
-    {"cohesion", "the grains stick together more or less than assumed",
-     "Cohesion between grains differs from the value of the case."},
-    {"plastic_contacts", "the grains yield where they touch",
-     "Contacts stay flattened: the force is lower at full load, and the compact springs back "
-     "less."},
-    {"breakage", "grains break", "Crushed grains fill the voids, and the powder takes less force."},
-    {"rate_dependence", "the powder resists fast pressing more",
-     "The force depends on the speed of the press, and relaxes while the punch stands."},
-    {"missing_fines", "fine grains are missing in the simulation",
-     "The powder holds fines that the simulated size distribution leaves out."},
-    {"fill_state", "the die was filled more loosely or more densely",
-     "The bed before pressing is not packed as the simulated one."},
-    {"die_compliance", "the die widens under pressure",
-     "The bore grows with the pressure on its wall."},
-    {"multi_contact", "squeezed grains stiffen at all their contacts",
-     "A contact is stiffer because the same grain is pressed elsewhere, too."},
+     "travel says.",
+     "Press punch on punch without powder once and note travel and force, or read the gap at the "
+     "punch faces."},
+    {"gap_offset", "zero of the punch gap", "the zero of the punch gap is off",
+     "The gap between the punches is wrong by the same amount all the way.",
+     "Bring the punches together on a gauge block and set the gap's zero."},
+    {"force_gain", "gain of the load cell", "the load cell shows a wrong share of the force",
+     "Every force is too high or too low by the same percentage.",
+     "Check the load cell with a known weight or a second cell."},
+    {"force_offset", "zero of the load cell", "the load cell is not zeroed",
+     "Every force is too high or too low by the same number of newtons.",
+     "Read the load cell without load and set its zero."},
+    {"force_lag", "lag of the load cell", "the load cell lags behind",
+     "The shown force follows the true one late, as behind a slow filter.",
+     "Look up the filter of the amplifier, or hold the punch at full load and watch the reading "
+     "settle."},
+    {"thermal_drift", "thermal drift of the gap", "the press warms up and the gap drifts",
+     "The gap changes slowly with time, whatever the force is.",
+     "Let the press warm up, then watch the gap for ten minutes without load."},
+    {"mass_error", "mass of the powder", "the mass of powder is wrong",
+     "There was more or less powder in the die than was written down.", "Weigh the compact."},
+    {"die_size", "diameter of the die", "the bore of the die has another diameter",
+     "The die is worn, or its diameter was measured wrongly.",
+     "Measure the bore at several heights, or the compact with a caliper."},
+    {"punch_tilt", "tilt of the punch", "the punch is tilted",
+     "One side of the punch face stands lower than the other.",
+     "Measure the height of the compact at four places round its rim."},
+    {"wall_friction", "friction at the die wall", "the die wall rubs more or less than assumed",
+     "Friction between powder and die wall differs from the value of the case.",
+     "Record the force on the lower punch: upper less lower is what the wall holds."},
+    {"particle_friction", "friction between grains",
+     "the grains rub on each other more or less than assumed",
+     "Friction between grains differs from the value of the case.",
+     "Record the pressure on the die wall."},
+    {"young_modulus", "Young's modulus of the grains",
+     "the grains are stiffer or softer than the sheet says",
+     "Young's modulus of the grains differs from the material sheet.",
+     "Look up the sheet of this very powder; check the load cell's gain, which looks the same."},
+    {"cohesion", "cohesion of the grains", "the grains stick together more or less than assumed",
+     "Cohesion between grains differs from the value of the case.",
+     "Look at moisture and binder of this batch."},
+    {"plastic_contacts", "yielding of the contacts", "the grains yield where they touch",
+     "Contacts stay flattened: less force at full load, and less springback.",
+     "Measure the height of the compact after ejection."},
+    {"breakage", "breakage of grains", "grains break",
+     "Crushed grains fill the voids, and the powder takes less force.",
+     "Sieve the powder again after pressing."},
+    {"rate_dependence", "dependence on the speed", "the powder resists fast pressing more",
+     "The force depends on the speed of the press, and relaxes while the punch stands.",
+     "Press once at another speed, or hold the punch at full load for a minute."},
+    {"missing_fines", "fines that the simulation leaves out",
+     "fine grains are missing in the simulation",
+     "The powder holds fines that the simulated size distribution leaves out.",
+     "Sieve or laser-size the fines of this batch."},
+    {"fill_state", "packing of the filled die", "the die was filled more loosely or more densely",
+     "The bed before pressing is not packed as the simulated one.",
+     "Note the height of the filled bed before pressing."},
+    {"die_compliance", "widening of the die", "the die widens under pressure",
+     "The bore grows with the pressure on its wall.",
+     "Compare the diameter of the compact with that of the bore."},
+    {"multi_contact", "stiffening of squeezed grains",
+     "squeezed grains stiffen at all their contacts",
+     "A contact is stiffer because the same grain is pressed elsewhere, too.",
+     "Press once to a higher force: only there it grows."},
 }};
 
 CauseWords const* find_words(std::string_view name) {
@@ -71,40 +91,6 @@ std::string spaced(std::string_view name) {
   return words;
 }
 
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
-    text[0] = static_cast<char>(text[0] - 'a' + 'A');
-  return text;
-}
-
-/// "a, b and c"
-std::string joined(std::vector<std::string> const& parts, std::string_view last) {
-  std::string text;
-  for (std::size_t k = 0; k < parts.size(); ++k)
-    text += (k == 0 ? "" : k + 1 == parts.size() ? fmt::format(" {} ", last) : ", ") + parts[k];
-  return text;
-}
-
-std::string named_in_words(Finding const& finding) {
-  std::vector<std::string> parts;
-  double least = 1.0;
-  for (auto const& cause : named_causes(finding)) {
-    std::string part = words_of(cause.name);
-    if (!cause.parameters.empty())
-      part += fmt::format(" ({})",
-                          size_in_words(cause.name, cause.size(), cause.parameters.front().unit));
-    parts.push_back(part);
-    least = std::min(least, cause.probability);
-  }
-  if (parts.empty())
-    return "A cause was named.";
-  std::string const rest = finding.is_incomplete
-                               ? " Something is left that this does not explain."
-                               : " With that the simulation agrees with the measurement.";
-  return fmt::format("{}. Probability: {:.0f} %.{}", capitalised(joined(parts, "and")),
-                     100.0 * least, rest);
-}
-
 } // namespace
 
 std::string words_of(std::string_view cause) {
@@ -115,6 +101,32 @@ std::string words_of(std::string_view cause) {
 std::string meaning_of(std::string_view cause) {
   auto const* words = find_words(cause);
   return words ? std::string(words->meaning) : "";
+}
+
+std::string check_of(std::string_view cause) {
+  auto const* words = find_words(cause);
+  return words ? std::string(words->check) : "";
+}
+
+std::string with_words(std::string_view sentence) {
+  auto const is_part = [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; };
+  std::string text;
+  for (std::size_t k = 0; k < sentence.size();) {
+    std::size_t end = k;
+    while (end < sentence.size() && is_part(sentence[end]))
+      ++end;
+    auto const word = sentence.substr(k, std::max<std::size_t>(end - k, 1));
+    auto const* words = find_words(word);
+    text += words ? words->noun : word;
+    k += word.size();
+  }
+  return text;
+}
+
+std::string capitalised(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+    text[0] = static_cast<char>(text[0] - 'a' + 'A');
+  return text;
 }
 
 std::string channel_in_words(std::string_view channel) {
@@ -141,79 +153,6 @@ std::string phase_in_words(std::string_view phase) {
        {"after", "after the press"}}};
   auto const at = std::ranges::find(words, phase, [](auto const& one) { return one.first; });
   return at == words.end() ? spaced(phase) : std::string(at->second);
-}
-
-ShownAs shown_as(std::string_view cause, std::string_view unit) {
-  if (unit == "m/N")
-    return {1e9, "µm/kN"};
-  if (unit == "m/s")
-    return {6e7, "µm/min"};
-  if (unit == "m/Pa")
-    return {1e12, "µm/MPa"};
-  if (unit == "m" && cause != "compact_height")
-    return {1e6, "µm"};
-  constexpr std::array<std::string_view, 8> in_per_cent{
-      "force_gain", "mass_error",      "young_modulus", "cohesion",
-      "breakage",   "rate_dependence", "missing_fines", "fill_state"};
-  if (unit == "1" && std::ranges::count(in_per_cent, cause) > 0)
-    return {100.0, "%"};
-  return {1.0, unit == "1" ? "" : std::string(unit)};
-}
-
-std::string size_in_words(std::string_view cause, double value, std::string_view unit) {
-  if (!std::isfinite(value))
-    return "not known";
-  auto const shown = shown_as(cause, unit);
-  if (shown.factor == 1.0 && !shown.unit.empty())
-    return format_quantity(value, unit, 3);
-  return fmt::format("{:.3g}{}{}", shown.factor * value, shown.unit.empty() ? "" : " ", shown.unit);
-}
-
-std::string interval_in_words(std::string_view cause, CauseParameter const& parameter) {
-  auto const text = [&](double value) { return size_in_words(cause, value, parameter.unit); };
-  if (parameter.is_open_low && parameter.is_open_high)
-    return fmt::format("{}, 95 %: no limit either way", text(parameter.value));
-  return fmt::format("{}, 95 %: {} to {}", text(parameter.value),
-                     parameter.is_open_low ? "no lower limit" : text(parameter.low),
-                     parameter.is_open_high ? "no upper limit" : text(parameter.high));
-}
-
-std::string in_words(FoundCause const& cause) {
-  if (cause.parameters.empty())
-    return cause.name;
-  return cause.name + " = " + interval_in_words(cause.name, cause.parameters.front());
-}
-
-std::string in_words(CalibratedValue const& value) {
-  auto const text = [&](double number) { return format_quantity(number, value.unit, 4); };
-  return fmt::format("calibrated: {} = {}, sd {}; sheet: {}", value.name, text(value.value),
-                     text(value.sd), text(value.sheet));
-}
-
-std::string verdict_in_words(Finding const& finding) {
-  if (finding.verdict == "consistent")
-    return "Nothing wrong was found: measurement and simulation agree within their known errors.";
-  if (finding.verdict == "named")
-    return named_in_words(finding);
-  if (finding.verdict == "undecided") {
-    std::vector<std::string> parts;
-    for (auto const& name : finding.group)
-      parts.push_back(words_of(name));
-    return fmt::format(
-        "Something is wrong, and these data cannot tell which: {}.{}", joined(parts, "or"),
-        finding.measurements.empty() ? "" : " The next measurement below tells them apart.");
-  }
-  return "Something is wrong that no known cause explains. Where it shows is described below.";
-}
-
-std::string one_line(std::string_view text) {
-  std::string line(text);
-  for (char& c : line)
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      c = ' ';
-    else if (c == '\\')
-      c = '/'; // a backslash at the end would swallow the next line
-  return line;
 }
 
 } // namespace coupling::finding

@@ -18,6 +18,16 @@ std::string words_of(std::string_view cause);
 /// One sentence: what the cause is, on a press. Empty for an unknown name.
 std::string meaning_of(std::string_view cause);
 
+/// One sentence: how to look for it. Empty for an unknown name.
+std::string check_of(std::string_view cause);
+
+/// The names of causes in a sentence replaced by nouns: "compliance of the press frame does the
+/// same to these data as lag of the load cell".
+std::string with_words(std::string_view sentence);
+
+/// With a capital in front.
+std::string capitalised(std::string text);
+
 /// "force on the upper punch" for upper_punch_force.
 std::string channel_in_words(std::string_view channel);
 

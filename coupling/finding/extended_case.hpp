@@ -5,12 +5,6 @@
 
 namespace coupling::finding {
 
-/// One entry that the extended case has otherwise than the user's.
-struct ChangedEntry {
-  std::string path, before, after; ///< values as the resolved case writes them; before: "" if new
-  std::string because;             ///< cause, size, 95 % interval; or calibrated value and sd
-};
-
 struct ExtendedCase {
   std::string text;                      ///< .prm, complete, with a comment above each change
   std::vector<ChangedEntry> changes;     ///< in the order in which they were made

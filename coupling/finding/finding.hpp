@@ -24,6 +24,8 @@ struct Finding {
   std::vector<StatedError> tolerances = {};
   std::optional<Unknown> unknown = {};
   std::vector<CalibratedValue> calibrated = {};
+  std::vector<ChangedEntry> extension = {};   ///< what extended.prm has otherwise than the case
+  std::vector<std::string> not_modelled = {}; ///< causes without entries, a sentence each
   std::vector<std::string> decisions = {}; ///< of the reader of the measured data, a sentence each
   std::vector<RunCurve> curves = {};
   std::vector<Seed> seeds = {};

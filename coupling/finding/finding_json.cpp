@@ -163,6 +163,11 @@ Json calibrated_json(CalibratedValue const& one) {
           {"unit", one.unit}};
 }
 
+Json change_json(ChangedEntry const& one) {
+  return {
+      {"entry", one.path}, {"before", one.before}, {"after", one.after}, {"because", one.because}};
+}
+
 Json provenance_json(Provenance const& from) {
   Json json{{"case", from.case_file},
             {"data", from.data_folder},
@@ -195,6 +200,8 @@ std::string diagnosis_json(Finding const& finding) {
                  {"tolerances", list(finding.tolerances, tolerance_json)},
                  {"unknown", unknown_json(finding.unknown)},
                  {"calibrated", list(finding.calibrated, calibrated_json)},
+                 {"extension", list(finding.extension, change_json)},
+                 {"not_modelled", finding.not_modelled},
                  {"decisions", finding.decisions},
                  {"seeds", seeds},
                  {"provenance", provenance_json(finding.provenance)}};

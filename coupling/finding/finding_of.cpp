@@ -1,11 +1,8 @@
 #include "coupling/finding/finding_of.hpp"
 
+#include "coupling/finding/fitted_curves.hpp"
 #include "coupling/finding/ranked_causes.hpp"
 #include "coupling/measured/channel_kinds.hpp"
-#include "dem/expect.hpp"
-
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace coupling::finding {
@@ -157,50 +154,6 @@ std::vector<StatedError> tolerances_of(diagnosis::ErrorSources const& errors) {
   return all;
 }
 
-/// Appends the values of a block to the curve of its run and channel.
-void append(std::vector<double>& values, VectorXd const& rows, diagnosis::RowRange range) {
-  for (Index k = 0; k < range.n && rows.size() > 0; ++k)
-    values.push_back(rows[range.first + k]);
-}
-
-std::vector<RunCurve> curves_of(Diagnosis const& found, FindingSources const& sources) {
-  auto const& data = sources.observations;
-  auto const& best = best_fit(found);
-  VectorXd const sd = found.errors.covariance.diagonal().cwiseSqrt();
-  VectorXd const calibrated = found.baseline.predicted + found.errors.bias;
-  VectorXd const extended =
-      best.active.empty() ? VectorXd() : VectorXd(best.predicted + found.errors.bias);
-  std::vector<RunCurve> curves;
-  for (std::size_t b = 0; b < data.blocks().size(); ++b) {
-    auto const& block = data.blocks()[b];
-    auto const range = data.rows()[b];
-    auto at = std::ranges::find_if(curves, [&](RunCurve const& one) {
-      return one.run == block.run && one.channel == block.channel;
-    });
-    if (at == curves.end())
-      at = curves.insert(
-          curves.end(),
-          {.run = block.run, .channel = block.channel, .unit = unit_of_channel(block.channel)});
-    at->phase.insert(at->phase.end(), static_cast<std::size_t>(range.n),
-                     std::string(name_of(block.phase)));
-    append(at->time, sources.places.time, range);
-    append(at->gap, sources.places.gap, range);
-    append(at->measured, data.values(), range);
-    append(at->calibrated, calibrated, range);
-    append(at->extended, extended, range);
-    append(at->sd, sd, range);
-  }
-  return curves;
-}
-
-void check_places(RowPlaces const& places, Index n_rows) {
-  for (auto const* one : {&places.time, &places.gap})
-    VALIDATE(one->size() == 0 || one->size() == n_rows,
-             fmt::format("places of rows: are {} for {} rows (each row has its own). Is a channel "
-                         "missing?",
-                         one->size(), n_rows));
-}
-
 } // namespace
 
 std::string unit_of_channel(std::string const& channel) {
@@ -212,32 +165,7 @@ std::string unit_of_channel(std::string const& channel) {
   return "1";
 }
 
-std::vector<RunCurve> curves_of(diagnosis::HeldOutRun const& run,
-                                std::vector<std::string> const& phases, RowPlaces const& places) {
-  check_places(places, run.measured.size());
-  std::vector<RunCurve> curves;
-  for (Index k = 0; k < run.measured.size(); ++k) {
-    auto const& channel = run.channels[static_cast<std::size_t>(k)];
-    auto at = std::ranges::find(curves, channel, &RunCurve::channel);
-    if (at == curves.end())
-      at = curves.insert(curves.end(), {.run = run.run,
-                                        .channel = channel,
-                                        .unit = unit_of_channel(channel),
-                                        .is_held_out = true});
-    diagnosis::RowRange const row{k, 1};
-    at->phase.push_back(phases[static_cast<std::size_t>(k)]);
-    append(at->time, places.time, row);
-    append(at->gap, places.gap, row);
-    append(at->measured, run.measured, row);
-    append(at->calibrated, run.before.value, row);
-    append(at->extended, run.after.value, row);
-    at->sd.push_back(std::sqrt(run.before.covariance(k, k)));
-  }
-  return curves;
-}
-
 Finding finding_of(Diagnosis const& found, FindingSources const& sources) {
-  check_places(sources.places, sources.observations.size());
   Finding finding{.verdict = std::string(name_of(found.verdict.kind)),
                   .is_incomplete = found.verdict.is_incomplete,
                   .explained_share = found.verdict.explained_share,
@@ -255,7 +183,7 @@ Finding finding_of(Diagnosis const& found, FindingSources const& sources) {
   if (sources.unexplained)
     finding.unknown = unknown_of(*sources.unexplained);
   finding.decisions = sources.decisions;
-  finding.curves = curves_of(found, sources);
+  finding.curves = fitted_curves(found, sources);
   finding.curves.insert(finding.curves.end(), sources.held_out_curves.begin(),
                         sources.held_out_curves.end());
   finding.seeds = {{"misfit references", std::to_string(sources.settings.misfit.seed)}};

@@ -136,6 +136,12 @@ struct CalibratedValue {
   bool is_logarithmic = false;
 };
 
+/// One entry that the extended case has otherwise than the user's.
+struct ChangedEntry {
+  std::string path, before, after; ///< values as the resolved case writes them; before: "" if new
+  std::string because;             ///< cause, size, 95 % interval; or calibrated value and sd
+};
+
 /// One channel of one run in the order of time.
 struct RunCurve {
   std::string run, channel, unit;

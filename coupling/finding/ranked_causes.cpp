@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace coupling::finding {
 namespace {
@@ -73,10 +74,11 @@ FoundCause cause_of(Diagnosis const& found, FindingSources const& sources, int m
   auto parameters = parameters_in(found, sources.model, fit, mechanism);
   double const probability =
       found.selection.inclusion[mechanism] * (1.0 - found.selection.probability_of_none);
+  auto plausibility = plausibility_in_words(std::abs(parameters.front().value) / cause.scale);
   return {.name = cause.name,
           .probability = std::min(probability, sources.settings.rules.largest_printed),
           .log_evidence = evidence_over_none(found, hypothesis),
-          .plausibility = plausibility_in_words(std::abs(parameters.front().value) / cause.scale),
+          .plausibility = std::move(plausibility),
           .parameters = std::move(parameters),
           .is_named = holds(found.verdict.causes, mechanism)};
 }

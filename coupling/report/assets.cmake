@@ -11,6 +11,9 @@ add_custom_command(
           ${CMAKE_CURRENT_LIST_DIR}/compact_view.js
           ${CMAKE_CURRENT_LIST_DIR}/compare.html.in
           ${CMAKE_CURRENT_LIST_DIR}/compare.js
+          ${CMAKE_CURRENT_LIST_DIR}/finding.css
+          ${CMAKE_CURRENT_LIST_DIR}/finding.html.in
+          ${CMAKE_CURRENT_LIST_DIR}/finding.js
           ${CMAKE_CURRENT_LIST_DIR}/report.css
           ${CMAKE_CURRENT_LIST_DIR}/report.html.in
           ${CMAKE_CURRENT_LIST_DIR}/report.js

@@ -19,5 +19,8 @@ extern std::string_view const study_style;    ///< study.css
 extern std::string_view const study_plots;    ///< study_plots.js
 extern std::string_view const surface_plot;   ///< surface_plot.js
 extern std::string_view const study_script;   ///< study.js
+extern std::string_view const finding_page;   ///< finding.html.in
+extern std::string_view const finding_style;  ///< finding.css
+extern std::string_view const finding_script; ///< finding.js
 
 } // namespace coupling::assets

@@ -5,7 +5,8 @@ foreach(entry IN ITEMS "report_page report.html.in" "compare_page compare.html.i
                        "compact_view compact_view.js" "compact_shader compact_shader.js" "report_script report.js"
                        "stressed_view stressed_view.js"
                        "compare_script compare.js" "study_page study.html.in" "study_style study.css"
-                       "study_plots study_plots.js" "surface_plot surface_plot.js" "study_script study.js")
+                       "study_plots study_plots.js" "surface_plot surface_plot.js" "study_script study.js"
+                       "finding_page finding.html.in" "finding_style finding.css" "finding_script finding.js")
   separate_arguments(entry)
   list(GET entry 0 name)
   list(GET entry 1 file)

@@ -15,7 +15,7 @@ struct Powder {
   double radial_ratio = 0.51;    ///< [1], radial over axial stress
   double wall_friction = 0.205;  ///< [1], gives a lower punch 0.86 of the upper at the peak
   double recovery = 0.859;       ///< [1], share of the way back to the onset, as strain
-  double curvature = 2.85;       ///< b [1] of the unloading
+  double curvature = 3.05;       ///< b [1] of the unloading
   double residual = 0.03;        ///< [1], radial pressure that stays, of the largest
   double wall_stiffness = 4e11;  ///< [Pa/m], shear of the wall layer before it slides
   static constexpr double density = 1.0 / (0.8 / 3500.0 + 0.2 / 3000.0); ///< of the solid [kg/m^3]

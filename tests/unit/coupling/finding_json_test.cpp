@@ -213,6 +213,26 @@ TEST(FindingOf, AParameterFarFromItsSheetIsACause) {
   expect_contract(parsed(finding));
 }
 
+TEST(FindingOf, WhatIsProbableAndNotNamedStandsApart) {
+  Diagnosed one({}, {.sizes = {{"frame_compliance", 0.8}}}, 77);
+  one.found.selection.inclusion[1] = 0.95;
+  one.found.selection.inclusion[3] = 0.5;
+  auto const finding = finding_of(one.found, one.sources());
+  EXPECT_EQ(finding.not_claimed, std::vector<std::string>{"gap_offset"});
+  EXPECT_EQ(find_cause(finding, "gap_offset"), nullptr);
+  ASSERT_NE(find_cause(finding, "force_offset"), nullptr);
+  EXPECT_EQ(finding.causes.front().name, "frame_compliance");
+  EXPECT_EQ(named_causes(finding).size(), 1u);
+}
+
+TEST(FindingOf, ABentBaselineIsNoCauseUnderAnAlarm) {
+  Diagnosed one({}, {.sizes = {{"frame_compliance", 0.8}}}, 77);
+  one.found.verdict.parameters = {{.parameter = 0, .value = 6e8, .z = 4.0, .equivalent = {1}}};
+  auto const finding = finding_of(one.found, one.sources());
+  EXPECT_EQ(find_cause(finding, "young_modulus"), nullptr);
+  EXPECT_TRUE(finding.group.empty());
+}
+
 TEST(FindingOf, CalibratedValuesHaveTheSpreadOfAFit) {
   // Of sets that differ by their noise alone, the values scatter as the sd says.
   std::vector<double> values;

@@ -124,7 +124,7 @@ TEST(PressModel, CalibratesStiffnessAndCohesion) {
   EXPECT_DOUBLE_EQ(model.press_at(at).pressed.law.cohesion, 2.0 * 15e6);
 }
 
-/// Every cause, at its prior size, moves some row by more than 5 standard uncertainties of its
+/// Every cause, at three prior sizes (a tilt shows by its square), moves some row by more than 5 standard uncertainties of its
 /// instrument; every shape parameter counts; at size 0 nothing is there.
 TEST(PressModel, EveryCauseIsLive) {
   auto data = laboratory(press(), 60.0);
@@ -136,7 +136,7 @@ TEST(PressModel, EveryCauseIsLive) {
     auto const& mechanism = model.mechanisms()[j];
     auto at = nominal_parameters(model);
     auto const place = static_cast<Eigen::Index>(j);
-    at.sizes[place] = mechanism.scale;
+    at.sizes[place] = 3.0 * mechanism.scale;
     auto const moved = model.predict(at);
     // Upper and lower forces come first; radial pressure in Pa would say nothing here.
     auto const n_upper = static_cast<Eigen::Index>(rows.blocks[0].values.size() +
