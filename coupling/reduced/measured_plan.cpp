@@ -24,6 +24,7 @@ using Places = std::vector<std::size_t>;
 struct Part {
   Phase phase;
   Places places;
+  bool is_free = false; ///< the upper punch has left the compact
 };
 
 void append_parts(std::vector<Part>& parts, Phase phase, Places const& places, std::size_t most) {
@@ -32,7 +33,7 @@ void append_parts(std::vector<Part>& parts, Phase phase, Places const& places, s
     auto const at = [&](std::size_t i) {
       return places.begin() + static_cast<std::ptrdiff_t>(i * places.size() / n);
     };
-    parts.push_back({phase, Places(at(k), at(k + 1))});
+    parts.push_back({.phase = phase, .places = Places(at(k), at(k + 1))});
   }
 }
 
@@ -60,7 +61,8 @@ std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, doubl
   return {first, last};
 }
 
-/// Rows of a run, by the upper force; other channels take the same readings.
+/// Rows of a run, by the upper force; other channels take the same readings, but none of a compact
+/// that hangs in the die: no press run tells how it does.
 std::vector<Part> parts_of(Run const& run, GapCourse const& course, Binning const& binning) {
   auto const [first, last] = bearing(run.channel("upper_punch_force"), binning.contact_share);
   auto const turning = turning_of(course);
@@ -82,6 +84,7 @@ std::vector<Part> parts_of(Run const& run, GapCourse const& course, Binning cons
   append_parts(parts, Phase::dwell, held, binning.n_dwell);
   append_parts(parts, Phase::unloading, opening, binning.n_unloading);
   append_parts(parts, Phase::unloading, after, after.size() < 5 ? 0 : 1);
+  parts.back().is_free = after.size() >= 5;
   return parts;
 }
 
@@ -161,7 +164,7 @@ private:
                  std::vector<std::vector<std::array<double, 2>>>& moments) {
     std::vector<PartMean> means;
     for (auto const& part : parts)
-      if (part.phase == phase)
+      if (part.phase == phase && (!part.is_free || channel == "upper_punch_force"))
         if (auto const mean = mean_of(run, run.channel(channel), part.places); mean.n > 0)
           means.push_back(mean);
     if (means.empty())

@@ -22,7 +22,7 @@ struct MeasuredRows {
 
 /// Readings of one channel in one phase are put in time's order into parts of equal number; a row is
 /// the mean of one part. Closing begins a little before the bed bears; all readings before are one
-/// row, and all after it ceases to bear one more. The course of the gap is that of the gap's own
+/// row, and all after it ceases to bear one more, of the upper force alone. The course of the gap is that of the gap's own
 /// readings, smoothed likewise, with corners where its straight ends meet.
 /// @param role  runs of that role
 /// @throws dem::InvalidInput if a run never closes, or none has the role
