@@ -2,7 +2,7 @@
 
 #include "coupling/reduced/bed_fit.hpp"
 #include "coupling/reduced/cycle_rows.hpp"
-#include "coupling/study/box_minimum.hpp"
+#include "coupling/reduced/difference_slopes.hpp"
 #include "dem/expect.hpp"
 
 #include <Eigen/Core>
@@ -30,22 +30,6 @@ VectorXd loading_departure(BedLaw const& law, CycleRows const& rows) {
   for (std::size_t k = 0; k < rows.size(); ++k)
     departure[static_cast<Index>(k)] = scale * (rows.stress[k] - law.loading(rows.phi[k]));
   return departure;
-}
-
-template <class ResidualAt>
-VectorXd least_from(ResidualAt const& residual, study::Box const& box, VectorXd const& start) {
-  auto const with_slopes = [&](VectorXd const& u) {
-    study::Residuals at{residual(u), {}};
-    at.slopes.resize(at.values.size(), u.size());
-    for (Index k = 0; k < u.size(); ++k) {
-      double const step = 1e-5 * (box.high[k] - box.low[k]);
-      VectorXd more = u, less = u;
-      more[k] += step, less[k] -= step;
-      at.slopes.col(k) = (residual(more) - residual(less)) / (2.0 * step);
-    }
-    return at;
-  };
-  return study::minimise_from(with_slopes, box, start).x;
 }
 
 CycleRows first_loading(SimulatedCycle const& cycle, Bed const& bed) {
@@ -98,7 +82,8 @@ BedNumbers change_of_numbers(BedLaw const& base, SimulatedCycle const& cycle, Be
     return all;
   };
   study::Box const box{VectorXd::Constant(4, -6.0), VectorXd::Constant(4, 6.0)};
-  VectorXd const u = least_from(residual, box, VectorXd::Zero(4));
+  VectorXd const u =
+      study::minimise_from(with_difference_slopes(residual, box), box, VectorXd::Zero(4)).x;
   BedLaw const own = refit(base, with(u), cycle, bed); // r is of the way to the onset found
   return {spread[0] * u[0],
           spread[1] * u[1],
@@ -120,9 +105,10 @@ PlasticChange plastic_change(BedLaw const& base, SimulatedCycle const& cycle, Be
   double const largest = rows.largest_stress();
   study::Box const box{Eigen::Vector2d(-0.5, std::log(0.02 * largest)),
                        Eigen::Vector2d(1.0, std::log(2.0 * largest))};
-  VectorXd const u =
-      least_from([&](VectorXd const& at) { return loading_departure(with(at), rows); }, box,
-                 Eigen::Vector2d(0.1, std::log(0.2 * largest)));
+  auto const residual = [&](VectorXd const& u) { return loading_departure(with(u), rows); };
+  VectorXd const u = study::minimise_from(with_difference_slopes(residual, box), box,
+                                          Eigen::Vector2d(0.1, std::log(0.2 * largest)))
+                         .x;
   BedLaw const own = refit(base, base, cycle, bed);
   return {.yielding = with(u).yielding,
           .recovery = own.recovery - base.recovery,
