@@ -29,8 +29,8 @@ Factor const factors[]{
      [](Case const& c) { return c.contacts.grain_wall.static_friction; }},
     {"young_modulus", "ln(Young's modulus of the grains / Pa)",
      [](Case const& c) { return std::log(c.powder.components.front().material.young_modulus); }},
-    {"cohesion", "ln(cohesion energy density / (J/m^3))",
-     [](Case const& c) { return std::log(c.contacts.grain_grain.cohesion_energy_density); }}};
+    {"cohesion", "cohesion energy density [MJ/m^3]",
+     [](Case const& c) { return 1e-6 * c.contacts.grain_grain.cohesion_energy_density; }}};
 
 struct Run {
   Case setup;
