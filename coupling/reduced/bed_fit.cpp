@@ -14,14 +14,9 @@ namespace {
 
 constexpr double bears = 1e-3; // share of the peak: where neither does, nothing is judged
 
-struct Departures {
-  Departure upper, lower;
-};
-
 /// @param records  of the cycle; @param smallest  height before the first of them [m]
-Departures departures(BedLaw const& law, Bed const& bed, SimulatedCycle const& cycle,
-                      std::vector<std::size_t> const& records, double smallest) {
-  Departures found;
+void judge(Departure& upper, Departure& lower, BedLaw const& law, Bed const& bed,
+           SimulatedCycle const& cycle, std::vector<std::size_t> const& records, double smallest) {
   double const peak = *std::ranges::max_element(cycle.upper);
   double n = 0.0;
   auto const add = [&](Departure& departure, double missed) {
@@ -33,16 +28,24 @@ Departures departures(BedLaw const& law, Bed const& bed, SimulatedCycle const& c
     auto const forces = bed_forces(law, bed, height, std::min(smallest, height));
     if (std::max(cycle.upper[k] + cycle.lower[k], forces.upper + forces.lower) < 2.0 * bears * peak)
       continue;
-    add(found.upper, (forces.upper - cycle.upper[k]) / peak);
-    add(found.lower, (forces.lower - cycle.lower[k]) / peak);
+    add(upper, (forces.upper - cycle.upper[k]) / peak);
+    add(lower, (forces.lower - cycle.lower[k]) / peak);
     n += 1.0;
   }
-  found.upper.rms = std::sqrt(found.upper.rms / std::max(n, 1.0));
-  found.lower.rms = std::sqrt(found.lower.rms / std::max(n, 1.0));
-  return found;
+  upper.rms = std::sqrt(upper.rms / std::max(n, 1.0));
+  lower.rms = std::sqrt(lower.rms / std::max(n, 1.0));
 }
 
 } // namespace
+
+BedDepartures departures(BedLaw const& law, SimulatedCycle const& cycle, Bed const& bed) {
+  auto const parts = parts_of(cycle);
+  BedDepartures found;
+  judge(found.loading_upper, found.loading_lower, law, bed, cycle, parts.loading, cycle.height[0]);
+  judge(found.unloading_upper, found.unloading_lower, law, bed, cycle, parts.unloading,
+        cycle.height[parts.turn]);
+  return found;
+}
 
 BedFit fit_bed_law(SimulatedCycle const& cycle, Bed const& bed, BedFitOptions const& options) {
   VALIDATE(bed.solid_area > 0.0 && bed.bore > 0.0,
@@ -55,13 +58,11 @@ BedFit fit_bed_law(SimulatedCycle const& cycle, Bed const& bed, BedFitOptions co
   bool const opens = fit_unloading(fit, rows_of(cycle, bed, parts.unloading),
                                    rows_of(cycle, bed, {parts.turn}), options);
   validate(fit.law);
-  auto const closing = departures(fit.law, bed, cycle, parts.loading, cycle.height[0]);
-  fit.loading_upper = closing.upper, fit.loading_lower = closing.lower;
-  if (!opens)
-    return fit;
-  fit.n_unloading = parts.unloading.size();
-  auto const opening = departures(fit.law, bed, cycle, parts.unloading, cycle.height[parts.turn]);
-  fit.unloading_upper = opening.upper, fit.unloading_lower = opening.lower;
+  static_cast<BedDepartures&>(fit) = departures(fit.law, cycle, bed);
+  if (opens)
+    fit.n_unloading = parts.unloading.size();
+  else
+    fit.unloading_upper = fit.unloading_lower = {};
   return fit;
 }
 

@@ -22,12 +22,17 @@ struct Departure {
   double rms = 0.0, largest = 0.0; ///< [1]
 };
 
-/// A bed law that stands for a simulated cycle, and how well it does.
-struct BedFit {
+/// A law against a cycle; records in which neither force bears do not count.
+struct BedDepartures {
+  Departure loading_upper, loading_lower;
+  Departure unloading_upper, unloading_lower; ///< zero without unloading
+};
+BedDepartures departures(BedLaw const& law, SimulatedCycle const& cycle, Bed const& bed);
+
+/// A bed law that stands for a simulated cycle, and how well it does, with its tables.
+struct BedFit : BedDepartures {
   BedLaw law;
   std::size_t n_loading = 0, n_unloading = 0;    ///< records that were used
-  Departure loading_upper, loading_lower;        ///< of the law with its tables
-  Departure unloading_upper, unloading_lower;    ///< zero without unloading
   double loading_form = 0.0, opening_form = 0.0; ///< r.m.s. of s that the formulas (with `shape`:
                                                  ///< its curves) miss, share of the largest [1]
   std::vector<std::string> statements;           ///< what could not be found, in words

@@ -1,6 +1,6 @@
 #include "coupling/reduced/bed_forms.hpp"
 
-#include "coupling/study/box_minimum.hpp"
+#include "coupling/reduced/difference_slopes.hpp"
 
 #include <Eigen/Dense>
 
@@ -63,7 +63,7 @@ TurnForm turn_form(WeightedCurve const& curve, VectorXd const& root, double leng
           length};
 }
 
-/// Nonlinear unknowns of least weighted squares in a box, slopes by central differences.
+/// Nonlinear unknowns of least weighted squares in a box.
 /// @param form_of  u -> (x -> y)
 template <class FormOf>
 VectorXd least(WeightedCurve const& curve, VectorXd const& root, study::Box const& box,
@@ -77,18 +77,7 @@ VectorXd least(WeightedCurve const& curve, VectorXd const& root, study::Box cons
     }
     return missed;
   };
-  auto const with_slopes = [&](VectorXd const& u) {
-    study::Residuals at{residual(u), Eigen::MatrixXd::Zero(root.size(), u.size())};
-    for (Index k = 0; k < u.size(); ++k) {
-      double const step = 1e-5 * (box.high[k] - box.low[k]);
-      VectorXd more = u, less = u;
-      more[k] += step, less[k] -= step;
-      if (step > 0.0)
-        at.slopes.col(k) = (residual(more) - residual(less)) / (2.0 * step);
-    }
-    return at;
-  };
-  return study::minimise_in(with_slopes, box).x;
+  return study::minimise_in(with_difference_slopes(residual, box), box).x;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "coupling/reduced/simulated_cycle.hpp"
 
 #include "dem/expect.hpp"
+#include "dem/vec3.hpp"
 
 #include <fmt/format.h>
 
@@ -66,6 +67,14 @@ SimulatedCycle cycle_of(PressRecord const& record) {
           .upper = column("upper_punch_force"),
           .lower = column("lower_punch_force"),
           .radial_pressure = column("wall_radial_pressure")};
+}
+
+Bed bed_of(Case const& setup) {
+  double volume = 0.0;
+  for (auto const& component : setup.powder.components)
+    volume += setup.powder.total_mass * component.mass_fraction / component.material.density;
+  double const bore = setup.tooling.bore_diameter;
+  return {.solid_area = volume / (0.25 * dem::pi * bore * bore), .bore = bore};
 }
 
 CycleParts parts_of(SimulatedCycle const& cycle) {

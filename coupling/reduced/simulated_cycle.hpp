@@ -1,6 +1,8 @@
 #pragma once
 
+#include "coupling/case.hpp"
 #include "coupling/record/press_record.hpp"
+#include "coupling/reduced/bed_law.hpp"
 
 #include <cstddef>
 #include <vector>
@@ -17,6 +19,9 @@ struct SimulatedCycle {
 /// The columns of a run's curves.csv; every stage, since `parts_of` finds loading and unloading.
 /// @throws dem::InvalidInput if a column is missing
 SimulatedCycle cycle_of(PressRecord const& record);
+
+/// The bed that a case presses.
+Bed bed_of(Case const& setup);
 
 /// Records of a cycle by what the bed goes through. First loading: the height is smaller than ever
 /// before, and the bed bears. Unloading: after the smallest height, larger than ever since. What is

@@ -30,11 +30,11 @@ bool says_enough(BedFit& fit, CycleRows const& rows, double top) {
 }
 
 /// Shares of the stress over the way gone back, in units of the way to the onset.
-WeightedCurve opening_curve(BedLaw const& law, CycleRows const& rows, double most) {
+WeightedCurve opening_curve(BedLaw const& law, CycleRows const& rows, double most, double top) {
   std::vector<double> gone{0.0}, share{1.0};
   for (std::size_t k = 0; k < rows.size() && gone.back() <= 1.0; ++k) {
     gone.push_back(std::log(most / rows.phi[k]) / std::log(most / law.onset));
-    share.push_back(rows.stress[k] / law.loading(most));
+    share.push_back(rows.stress[k] / top);
   }
   return weighted(std::move(gone), std::move(share));
 }
@@ -129,9 +129,11 @@ bool fit_unloading(BedFit& fit, CycleRows const& rows, CycleRows const& turn,
     law.wall_turn = options.shape->wall_turn, law.opening = options.shape->opening;
     law.recovery = options.shape->recovery, law.reversal = options.shape->reversal;
   }
-  if (!says_enough(fit, rows, law.loading(turn.phi[0])))
+  // A known shape need not meet the largest stress exactly; its own table does.
+  double const top = options.shape ? turn.stress[0] : law.loading(turn.phi[0]);
+  if (!says_enough(fit, rows, top))
     return false;
-  auto const curve = opening_curve(law, rows, turn.phi[0]);
+  auto const curve = opening_curve(law, rows, turn.phi[0], top);
   if (!law.unloading.empty()) {
     auto const change = fit_stretch(curve, law.unloading);
     law.recovery = change.recovery, law.opening = change.power;
