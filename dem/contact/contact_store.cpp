@@ -308,6 +308,7 @@ template <class T> void TypedStore<T>::tally_tools(World& world, double dt) cons
 }
 
 template <class T> void TypedStore<T>::sweep(World& world, double dt) {
+  crowding_.form(world, lists_, choice_.multi_contact);
   SweepInput<T> const input{
       .grains = world.grains,
       .motions = motions_.data(),
@@ -318,7 +319,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
                    .clip = choice_.clip_attractive_damping ? T(1) : T(0),
                    .viscous_time = static_cast<T>(choice_.viscous_time)},
       .dt = dt,
-      .window_time = world.window_time};
+      .window_time = world.window_time,
+      .crowding = crowding_.data()};
 // Static: a block stays with its thread, and its contacts in that core's cache.
 #pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)
