@@ -22,6 +22,14 @@ std::vector<Entry> powder_entries() {
        "Seed of the random positions."},
       {"Powder/Settle time", quantity, time, "0 s", within(0.0, 1e3), "",
        "Time that the grains fall under gravity before the first stage."},
+      {"Powder/Fill state", quantity, ratio, "0", within(0.0, 1.0), "",
+       "Share of static friction that grains lack while they settle, as if the die were tapped: a "
+       "denser start. Needs Settle time."},
+      {"Powder/Added fines/Share", quantity, ratio, "0 %", within(0.0, 0.5), "",
+       "Share of every component's mass that is taken from its size classes and given to finer "
+       "grains; the mass stays."},
+      {"Powder/Added fines/Diameter", quantity, length, "0 mm", within(0.0, 0.1), "",
+       "Diameter of those grains, below that of every size class."},
   };
 }
 

@@ -1,6 +1,7 @@
 #include "coupling/press_cycle.hpp"
 
 #include "coupling/elastic/implicit_window.hpp"
+#include "coupling/fill_state.hpp"
 #include "coupling/press_guards.hpp"
 #include "coupling/press_measures.hpp"
 #include "dem/step/advance.hpp"
@@ -201,6 +202,8 @@ void PressCycle::finish_stage() {
   if (is_free)
     measure_final_shape(press_);
   programme.finish_stage(press_.world);
+  if (programme.index() == 1)
+    change_materials(press_);
   // The seed's porosity is that of the compact that lies unloaded in its die; a press that ends
   // under load is measured there.
   bool const is_unloaded = squeezing_force(tool_named(press_.world, "upper_punch")) == 0.0;

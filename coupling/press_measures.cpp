@@ -28,6 +28,7 @@ double count_outside(Press const& press) {
   if (!die.present)
     return 0.0; // on the open punch a grain may roll off
   double const top = upper.displacement.z() + press.programme.faces().upper;
+  double const slope = press.setup.tooling.punch_slope();
   double const bottom = floor_of(press);
   double const rim = die.displacement.z() + rim_height(die);
   auto const is_outside = [&](std::size_t i) {
@@ -35,7 +36,7 @@ double count_outside(Press const& press) {
     double const R = grains.radius[i];
     double const r = std::hypot(x.x() - die.displacement.x(), x.y() - die.displacement.y());
     return (r > bore + R && x.z() < rim) || (lower.present && x.z() < bottom - R) ||
-           (upper.present && x.z() > top + R);
+           (upper.present && x.z() > top + slope * x.x() + R);
   };
   double n = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
