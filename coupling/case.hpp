@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/breakage_law.hpp"
 #include "coupling/elastic/coupling_choice.hpp"
 #include "coupling/load_cell.hpp"
 #include "coupling/press_frame.hpp"
@@ -125,6 +126,7 @@ struct Case {
   std::string mode = "rigid";
   Powder powder;
   Contacts contacts;
+  BreakageLaw breakage;
   Tooling tooling;
   ElasticTools elastic;
   FrameLaw frame;

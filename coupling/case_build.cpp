@@ -165,6 +165,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.mode = read_mode(read);
   result.powder = read_powder(read);
   result.contacts = read_contacts(read);
+  result.breakage = read_breakage(read);
   result.tooling = read_tooling(read);
   result.elastic = read_elastic_tools(read, result.mode, result.tooling);
   result.frame = read_frame(read);

@@ -11,6 +11,7 @@ Powder read_powder(CaseReader& read);
 /// Fines and the state of the fill, once the components are known.
 void read_fill(CaseReader& read, Powder& powder);
 Contacts read_contacts(CaseReader& read);
+BreakageLaw read_breakage(CaseReader& read);
 Tooling read_tooling(CaseReader& read);
 /// Fills shapes and ring.
 void read_tool_shapes(CaseReader& read, ElasticTools& tools, Tooling const& tooling);

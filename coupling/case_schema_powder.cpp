@@ -33,6 +33,21 @@ std::vector<Entry> powder_entries() {
   };
 }
 
+std::vector<Entry> breakage_entries() {
+  std::string const at = "Breakage/";
+  return {
+      {at + "Strength", quantity, modulus, "0 Pa", within(0.0, 1e13), "",
+       "Largest contact force over diameter squared that 37 % of grains of the reference diameter "
+       "survive; 0: grains do not break."},
+      {at + "Weibull modulus", quantity, ratio, "5", within(0.5, 100.0), "",
+       "Scatter of strength, and its fall with size: (d/d_0)^(-3/m)."},
+      {at + "Reference diameter", quantity, length, "1 mm", above_up_to(0.0, 0.1), "",
+       "d_0 of that."},
+      {at + "Smallest diameter", quantity, length, "0.5 mm", above_up_to(0.0, 0.1), "",
+       "Grains of up to this size do not break; it bounds the time step."},
+  };
+}
+
 /// The seed's two components; the others are absent until they have a name.
 std::vector<Entry> component_entries(int number) {
   bool const is_first = number == 1, is_second = number == 2;

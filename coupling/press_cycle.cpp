@@ -1,5 +1,6 @@
 #include "coupling/press_cycle.hpp"
 
+#include "coupling/breakage.hpp"
 #include "coupling/elastic/implicit_window.hpp"
 #include "coupling/fill_state.hpp"
 #include "coupling/press_guards.hpp"
@@ -80,6 +81,8 @@ void PressCycle::start_stage() {
 void PressCycle::step() {
   dem::World& world = press_.world;
   PressTally& tally = press_.tally;
+  if (press_.setup.breakage.is_on() && world.step % breakage_interval == 0)
+    break_grains(press_);
   if (press_.coupling.wants_course())
     find_course(press_);
   double const dt = press_.programme.command_step(world);

@@ -98,6 +98,9 @@ public:
   /// Counts the step that has been made; on the last of a plan the time is set to the planned end.
   void step_done(dem::World& world);
 
+  /// Plans the rest of the stage anew: the grains allow another step.
+  void renew_plan(dem::World const& world) { plan_steps(world); }
+
   /// Stops the tools and goes on to the next stage.
   void finish_stage(dem::World& world);
 

@@ -251,6 +251,20 @@ template <class T> void TypedStore<T>::evaluate(World& world) {
   complete(world);
 }
 
+template <class T> void TypedStore<T>::forget(std::span<std::uint32_t const> rows) {
+  std::vector<std::uint32_t> sorted(rows.begin(), rows.end());
+  std::ranges::sort(sorted);
+  auto const is_gone = [&](std::uint32_t row) { return std::ranges::binary_search(sorted, row); };
+  for (ContactBlock<T>& block : lists_.blocks) {
+    for (std::size_t k = 0; k < block.n_pairs; ++k)
+      if (is_gone(block.rows[block.owner[k]]) || is_gone(block.rows[block.partner[k]]))
+        block.remember(k, {});
+    for (std::size_t k = 0; k < block.walls.size(); ++k)
+      if (is_gone(block.walls[k].owner))
+        block.remember(block.wall_offset + k, {});
+  }
+}
+
 template <class T> void TypedStore<T>::write_records(World const& world) {
   motions_.resize(world.grains.size());
   for (std::size_t i = 0; i < world.grains.size(); ++i)

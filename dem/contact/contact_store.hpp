@@ -19,6 +19,7 @@ public:
   virtual void evaluate(World& world) = 0;
   virtual void follow_tools(World const& world) = 0;
   virtual std::vector<WallImpulse> take_impulses() = 0;
+  virtual void forget(std::span<std::uint32_t const> rows) = 0;
   virtual void visit(World const& world, ContactStream::Visit const& visit) const = 0;
   virtual StoredEnergy energy(World const& world) const = 0;
   virtual double stable_step(World const& world) const = 0;
@@ -43,6 +44,7 @@ public:
   void evaluate(World& world) override;
   void follow_tools(World const& world) override;
   std::vector<WallImpulse> take_impulses() override;
+  void forget(std::span<std::uint32_t const> rows) override;
   void visit(World const& world, ContactStream::Visit const& visit) const override;
   StoredEnergy energy(World const& world) const override;
   double stable_step(World const& world) const override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "dem/contact/contact_lists.hpp"
+#include "dem/contact/crowding.hpp"
 
 #include <vector>
 
@@ -18,24 +19,6 @@
 /// and Giannis et al., Granular Matter 23 (2021) 17, who take p from the grain's mean stress, which
 /// has no potential; b = 1 is a grain that gives way to volume as its solid does.
 namespace dem {
-
-/// What the contacts of a grain make of it.
-template <class T> struct Crowding {
-  T pressure;   ///< b K S / V [Pa]
-  T per_volume; ///< b K / V [Pa/m^3]
-};
-
-/// v_c [m^3] of an overlap d [m] > 0.
-template <class T> T displaced_volume(T effective_radius, T overlap) {
-  return static_cast<T>(0.5 * pi) * effective_radius * overlap * overlap;
-}
-
-/// The force A_c (p_ic + p_jc) [N].
-/// @param pressure, per_volume  sums of both grains' Crowding
-template <class T> T crowding_force(T effective_radius, T overlap, T pressure, T per_volume) {
-  T const own = per_volume * displaced_volume(effective_radius, overlap);
-  return static_cast<T>(pi) * effective_radius * overlap * (pressure - own);
-}
 
 /// Crowding of every grain of a world, in the order of rows. Blocks sum for their own grains and
 /// for foreign partners, and each grain sums over blocks in their order, as loads are: the same

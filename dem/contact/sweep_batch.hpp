@@ -2,8 +2,8 @@
 
 #include "dem/contact/contact_block.hpp"
 #include "dem/contact/contact_kernel.hpp"
+#include "dem/contact/crowding.hpp"
 #include "dem/contact/lanes.hpp"
-#include "dem/contact/multi_contact.hpp"
 #include "dem/contact/wall_meeting.hpp"
 
 #include <algorithm>

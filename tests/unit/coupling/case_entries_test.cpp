@@ -34,6 +34,10 @@ Overrides const powder_and_tools = {
     "Powder/Component 2/Name=",
     "Powder/Component 5/Name=silica",
     "Powder/Component 5/Mass fraction=0.5",
+    "Breakage/Strength=30 MPa",
+    "Breakage/Weibull modulus=3",
+    "Breakage/Reference diameter=2 mm",
+    "Breakage/Smallest diameter=0.4 mm",
     "Tooling/Bore diameter=11 mm",
     "Tooling/Die height=30 mm",
     "Tooling/Wall thickness=8 mm",
@@ -120,6 +124,10 @@ TEST(EveryEntry, OfPowderAndToolsReachesTheCase) {
   EXPECT_EQ(it.powder.components[0].sizes[2].diameter, 0.2e-3);
   EXPECT_EQ(it.powder.components[0].sizes[2].mass_fraction, 0.05);
   EXPECT_EQ(it.powder.components[1].material.name, "silica");
+  EXPECT_EQ(it.breakage.strength, 30e6);
+  EXPECT_EQ(it.breakage.weibull_modulus, 3.0);
+  EXPECT_EQ(it.breakage.reference_diameter, 2e-3);
+  EXPECT_EQ(it.breakage.smallest_diameter, 0.4e-3);
   Tooling const& tooling = it.tooling;
   EXPECT_EQ(tooling.bore_diameter, 11e-3);
   EXPECT_EQ(tooling.die_height, 30e-3);

@@ -106,6 +106,13 @@ inline void expect_equal(Output const& a, Output const& b) {
   EXPECT_EQ(a.core_diameter_fraction, b.core_diameter_fraction);
 }
 
+inline void expect_equal(BreakageLaw const& a, BreakageLaw const& b) {
+  EXPECT_EQ(a.strength, b.strength);
+  EXPECT_EQ(a.weibull_modulus, b.weibull_modulus);
+  EXPECT_EQ(a.reference_diameter, b.reference_diameter);
+  EXPECT_EQ(a.smallest_diameter, b.smallest_diameter);
+}
+
 inline void expect_equal(Case const& a, Case const& b) {
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.mode, b.mode);
@@ -113,6 +120,7 @@ inline void expect_equal(Case const& a, Case const& b) {
   expect_equal(a.contacts.law, b.contacts.law);
   expect_equal(a.contacts.grain_grain, b.contacts.grain_grain);
   expect_equal(a.contacts.grain_wall, b.contacts.grain_wall);
+  expect_equal(a.breakage, b.breakage);
   expect_equal(a.tooling, b.tooling);
   ASSERT_EQ(a.stages.size(), b.stages.size());
   for (std::size_t i = 0; i < a.stages.size(); ++i)

@@ -182,6 +182,13 @@ TEST(AddedFines, ThatAddNothingOrAreNotFineAreRefused) {
             "grains). Remove it?");
 }
 
+TEST(Breakage, WithoutStrengthIsNotUsed) {
+  EXPECT_EQ(refusal({"Breakage/Weibull modulus=3"}),
+            "Breakage/Weibull modulus = 3: is not used (Breakage/Strength = 0: grains do not "
+            "break). Remove it?");
+  EXPECT_EQ(refusal({"Breakage/Weibull modulus=3", "Breakage/Strength=30 MPa"}), "accepted");
+}
+
 TEST(FillState, WithoutTimeToSettleIsRefused) {
   EXPECT_EQ(refusal({"Powder/Fill state=0.5"}),
             "Powder/Fill state = 0.5: changes nothing (Settle time = 0 leaves the grains where "
