@@ -1,5 +1,6 @@
 #pragma once
 
+#include "coupling/breakage_law.hpp"
 #include "coupling/elastic/coupling_choice.hpp"
 #include "coupling/load_cell.hpp"
 #include "coupling/press_frame.hpp"
@@ -28,16 +29,25 @@ struct Component {
   std::vector<SizeClass> sizes; ///< fractions sum to 1
 };
 
+/// Grains finer than any of the powder's own size classes, as a real powder has them: every
+/// component gives this share of its mass to grains of its own material and this size.
+struct AddedFines {
+  double share = 0.0;    ///< [1]
+  double diameter = 0.0; ///< [m]
+};
+
 enum class FillMethod { random, file, state };
 
 struct Powder {
-  std::vector<Component> components;
+  std::vector<Component> components; ///< their sizes hold the fines, as the last class of each
+  AddedFines fines;
   double total_mass = 9.13e-3; ///< [kg]
   FillMethod fill_method = FillMethod::random;
   std::filesystem::path fill_file; ///< packing CSV, or a restart file / run folder for `state`
   double fill_height = 20e-3;      ///< [m], of the virtual cylinder (the bore's diameter)
   std::uint64_t seed = 1;
   double settle_time = 0.0; ///< [s], free fall under gravity before the first stage; 0 = none
+  double fill_state = 0.0;  ///< [1], share of static friction that is missing while grains settle
 };
 
 struct Contacts {
@@ -54,10 +64,14 @@ struct Tooling {
   double die_height = 20e-3;       ///< [m], bore from z = 0 upwards
   double wall_thickness = 10e-3;   ///< [m], die
   double punch_length = 10e-3;     ///< [m]
-  double chordal_tolerance = 1e-5; ///< [m]
+  double punch_tilt = 0.0; ///< [m], rise of the upper punch's face across the bore, from -x to +x
+  double chordal_tolerance = 1e-5;                                    ///< [m]
   std::filesystem::path die_file, upper_punch_file, lower_punch_file; ///< STL; empty = generated
   double stl_scale = 1.0; ///< [m] per unit of the STL files
   dem::Material material{"wall", 8000.0, 200e6, 0.29};
+
+  /// dz/dx of the upper punch's face [1].
+  double punch_slope() const { return punch_tilt / bore_diameter; }
 };
 
 /// Gap of the punch faces over the time since a stage began.
@@ -112,6 +126,7 @@ struct Case {
   std::string mode = "rigid";
   Powder powder;
   Contacts contacts;
+  BreakageLaw breakage;
   Tooling tooling;
   ElasticTools elastic;
   FrameLaw frame;

@@ -120,6 +120,7 @@ Powder read_powder(CaseReader& read) {
   powder.fill_height = read.number("Powder/Fill height");
   powder.seed = read.count("Powder/Packing seed");
   powder.settle_time = read.number("Powder/Settle time");
+  read_fill(read, powder);
   return powder;
 }
 
@@ -130,6 +131,7 @@ Tooling read_tooling(CaseReader& read) {
           .die_height = read.number(at + "Die height"),
           .wall_thickness = read.number(at + "Wall thickness"),
           .punch_length = read.number(at + "Punch length"),
+          .punch_tilt = read.number(at + "Punch tilt"),
           .chordal_tolerance = read.number(at + "Chordal tolerance"),
           .die_file = read.file(at + "Die file"),
           .upper_punch_file = read.file(at + "Upper punch file"),
@@ -163,6 +165,7 @@ Case build_case(CaseText const& text, std::filesystem::path const& file) {
   result.mode = read_mode(read);
   result.powder = read_powder(read);
   result.contacts = read_contacts(read);
+  result.breakage = read_breakage(read);
   result.tooling = read_tooling(read);
   result.elastic = read_elastic_tools(read, result.mode, result.tooling);
   result.frame = read_frame(read);

@@ -8,7 +8,10 @@ namespace coupling {
 /// other is checked by case_checks. @throws dem::InvalidInput
 std::string read_mode(CaseReader& read);
 Powder read_powder(CaseReader& read);
+/// Fines and the state of the fill, once the components are known.
+void read_fill(CaseReader& read, Powder& powder);
 Contacts read_contacts(CaseReader& read);
+BreakageLaw read_breakage(CaseReader& read);
 Tooling read_tooling(CaseReader& read);
 /// Fills shapes and ring.
 void read_tool_shapes(CaseReader& read, ElasticTools& tools, Tooling const& tooling);

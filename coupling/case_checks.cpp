@@ -56,6 +56,7 @@ public:
   void grain_sizes() const;
   void filling() const;
   void tooling() const;
+  void punch_tilt() const;
   void programme() const;
   void frame() const;
   void tool_speed() const;
@@ -104,8 +105,10 @@ void CaseCheck::grain_sizes() const {
   double grains = 0.0;
   for (std::size_t row = 0; row < powder.components.size(); ++row) {
     Component const& component = powder.components[row];
-    std::string const path = components_[row] + "Size classes";
     for (SizeClass const& size : component.sizes) {
+      bool const is_added = powder.fines.share > 0.0 && size.diameter == powder.fines.diameter;
+      std::string const path =
+          is_added ? "Powder/Added fines/Diameter" : components_[row] + "Size classes";
       std::string const diameter = fmt::format("{} mm", brief(1e3 * size.diameter));
       double const room = std::min(case_.tooling.bore_diameter, powder.fill_height);
       bool const is_filled = powder.fill_method == FillMethod::random;
@@ -170,6 +173,25 @@ void CaseCheck::tooling() const {
     if (!read_.resolved().at("Tooling/" + name).empty())
       read_.refuse("Tooling/" + name,
                    "is not used (Tooling/Walls = analytic has no triangles). Set Walls = surface?");
+}
+
+void CaseCheck::punch_tilt() const {
+  std::string const path = "Tooling/Punch tilt";
+  double const tilt = case_.tooling.punch_tilt;
+  if (tilt > 0.0 && case_.elastic.coupling.mode != CouplingMode::rigid)
+    read_.refuse(path, fmt::format("is for rigid tools (the bodies of Mode = {} stand upright). "
+                                   "Set Mode = rigid?",
+                                   case_.mode));
+  auto const refuse_contact = [&](double gap, std::string const& when) {
+    if (tilt > 0.0 && gap <= 0.5 * tilt)
+      read_.refuse(path, fmt::format("brings the low side of the upper punch onto the lower one "
+                                     "({} the gap is {} mm). Tilt it less?",
+                                     when, brief(1e3 * gap)));
+  };
+  refuse_contact(case_.powder.fill_height, "at the start");
+  for (Stage const& stage : case_.stages)
+    if (stage.kind == StageKind::move && stage.until == Limit::gap)
+      refuse_contact(stage.gap, fmt::format("at the end of stage '{}'", stage.name));
 }
 
 void CaseCheck::programme() const {
@@ -281,6 +303,7 @@ void check_case(Case const& checked, CaseReader const& read) {
   check.filling();
   check.tooling();
   check_tool_shapes(checked, read);
+  check.punch_tilt();
   check.programme();
   check.frame();
   check.tool_speed();

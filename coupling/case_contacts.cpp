@@ -90,6 +90,7 @@ Contacts read_contacts(CaseReader& read) {
                   .characteristic_velocity = read.number(at + "Characteristic velocity"),
                   .adhesion_exponent = read.number(at + "Adhesion exponent"),
                   .viscous_time = read.number(at + "Viscous time"),
+                  .multi_contact = read.number(at + "Multi-contact coefficient"),
                   .precision = read.choice(at + "Precision") == "double" ? dem::Precision::full
                                                                          : dem::Precision::mixed};
   read_plasticity(read, contacts.law);

@@ -63,6 +63,7 @@ std::vector<Entry> all_entries() {
   append(contact_entries());
   append(interaction_entries("Contact/Particle-particle/", "5e6 J/m^3"));
   append(interaction_entries("Contact/Particle-wall/", "0 J/m^3"));
+  append(breakage_entries());
   append(tooling_entries());
   append(elastic_entries());
   append(tool_shape_entries());

@@ -39,6 +39,9 @@ std::vector<Entry> contact_entries() {
        "Exponent chi of the adhesive branch; used by Normal law = edinburgh."},
       {at + "Viscous time", quantity, time, "0 s", within(0.0, 1e3), "",
        "A of a dashpot A dF/dd at every contact: the powder's own rate dependence."},
+      {at + "Multi-contact coefficient", quantity, ratio, "0", within(0.0, 10.0), "",
+       "How much a grain's contacts push each other back: share of its bulk modulus that resists "
+       "the volume which they displace; 0: contacts do not know each other."},
       {at + "Precision", choice, ratio, "mixed", any, "mixed | double",
        "mixed: overlaps in double, forces in single precision."},
   };

@@ -27,6 +27,7 @@ inline constexpr Range tool_size = within(1e-5, 2.0);
 // The grains: case_schema_powder.cpp, case_schema_contacts.cpp.
 std::vector<Entry> powder_entries();
 std::vector<Entry> component_entries(int number);
+std::vector<Entry> breakage_entries();
 std::vector<Entry> contact_entries();
 /// @param at        section, with its slash
 /// @param cohesion  default of the cohesion energy density

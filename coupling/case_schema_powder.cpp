@@ -22,6 +22,29 @@ std::vector<Entry> powder_entries() {
        "Seed of the random positions."},
       {"Powder/Settle time", quantity, time, "0 s", within(0.0, 1e3), "",
        "Time that the grains fall under gravity before the first stage."},
+      {"Powder/Fill state", quantity, ratio, "0", within(0.0, 1.0), "",
+       "Share of static friction that grains lack while they settle, as if the die were tapped: a "
+       "denser start. Needs Settle time."},
+      {"Powder/Added fines/Share", quantity, ratio, "0 %", within(0.0, 0.5), "",
+       "Share of every component's mass that is taken from its size classes and given to finer "
+       "grains; the mass stays."},
+      {"Powder/Added fines/Diameter", quantity, length, "0 mm", within(0.0, 0.1), "",
+       "Diameter of those grains, below that of every size class."},
+  };
+}
+
+std::vector<Entry> breakage_entries() {
+  std::string const at = "Breakage/";
+  return {
+      {at + "Strength", quantity, modulus, "0 Pa", within(0.0, 1e13), "",
+       "Largest contact force over diameter squared that 37 % of grains of the reference diameter "
+       "survive; 0: grains do not break."},
+      {at + "Weibull modulus", quantity, ratio, "5", within(0.5, 100.0), "",
+       "Scatter of strength, and its fall with size: (d/d_0)^(-3/m)."},
+      {at + "Reference diameter", quantity, length, "1 mm", above_up_to(0.0, 0.1), "",
+       "d_0 of that."},
+      {at + "Smallest diameter", quantity, length, "0.5 mm", above_up_to(0.0, 0.1), "",
+       "Grains of up to this size do not break; it bounds the time step."},
   };
 }
 

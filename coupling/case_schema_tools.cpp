@@ -17,6 +17,10 @@ std::vector<Entry> tooling_entries() {
       {at + "Wall thickness", quantity, length, "10 mm", tool_size, "",
        "Thickness of the die wall."},
       {at + "Punch length", quantity, length, "10 mm", tool_size, "", "Length of both punches."},
+      {at + "Punch tilt", quantity, length, "0 mm", within(0.0, 0.01), "",
+       "How much higher the upper punch's face stands at +x than at -x, across the bore; the "
+       "middle "
+       "stays where it was. Needs Mode = rigid."},
       {at + "Chordal tolerance", quantity, length, "0.01 mm", above_up_to(0.0, 1e-2), "",
        "Largest distance between a generated tool surface and the smooth one."},
       {at + "Die file", file, ratio, "", any, "",

@@ -1,6 +1,8 @@
 #include "coupling/press_cycle.hpp"
 
+#include "coupling/breakage.hpp"
 #include "coupling/elastic/implicit_window.hpp"
+#include "coupling/fill_state.hpp"
 #include "coupling/press_guards.hpp"
 #include "coupling/press_measures.hpp"
 #include "dem/step/advance.hpp"
@@ -79,6 +81,8 @@ void PressCycle::start_stage() {
 void PressCycle::step() {
   dem::World& world = press_.world;
   PressTally& tally = press_.tally;
+  if (press_.setup.breakage.is_on() && world.step % breakage_interval == 0)
+    break_grains(press_);
   if (press_.coupling.wants_course())
     find_course(press_);
   double const dt = press_.programme.command_step(world);
@@ -201,6 +205,8 @@ void PressCycle::finish_stage() {
   if (is_free)
     measure_final_shape(press_);
   programme.finish_stage(press_.world);
+  if (programme.index() == 1)
+    change_materials(press_);
   // The seed's porosity is that of the compact that lies unloaded in its die; a press that ends
   // under load is measured there.
   bool const is_unloaded = squeezing_force(tool_named(press_.world, "upper_punch")) == 0.0;

@@ -38,7 +38,8 @@ dem::Packing fill_at_random(Case const& setup) {
   double const sagitta =
       setup.tooling.walls == WallKind::surface ? setup.tooling.chordal_tolerance : 0.0;
   // Where the punch stands lower than the machine takes it to stand, there is less room.
-  double const height = setup.powder.fill_height + std::min(setup.frame.gap_offset, 0.0);
+  double const height = setup.powder.fill_height + std::min(setup.frame.gap_offset, 0.0) -
+                        0.5 * setup.tooling.punch_tilt;
   return dem::fill_cylinder(
       dem::count_grains(shares, setup.powder.total_mass),
       {.radius = 0.5 * setup.tooling.bore_diameter, .height = height, .wall_clearance = sagitta},
@@ -72,15 +73,17 @@ dem::Packing read_state(std::filesystem::path const& source, std::size_t n_compo
 
 } // namespace
 
-dem::MaterialTable make_materials(Case const& setup) {
+dem::MaterialTable make_materials(Case const& setup, double friction) {
   dem::MaterialTable materials;
   for (Component const& component : setup.powder.components)
     materials.add(component.material);
   auto const wall = materials.add(setup.tooling.material);
   for (std::uint8_t i = 0; i <= wall; ++i)
-    for (std::uint8_t j = 0; j <= i; ++j)
-      materials.set_interaction(i, j,
-                                i == wall ? setup.contacts.grain_wall : setup.contacts.grain_grain);
+    for (std::uint8_t j = 0; j <= i; ++j) {
+      auto interaction = i == wall ? setup.contacts.grain_wall : setup.contacts.grain_grain;
+      interaction.static_friction *= friction;
+      materials.set_interaction(i, j, interaction);
+    }
   return materials;
 }
 

@@ -7,7 +7,8 @@
 namespace coupling {
 
 /// Materials of a case: one row per component of the powder, then the tools'.
-dem::MaterialTable make_materials(Case const& setup);
+/// @param friction  share of the case's static friction that contacts have [1]
+dem::MaterialTable make_materials(Case const& setup, double friction = 1.0);
 
 /// Row of the tools' material.
 std::uint8_t tool_material(Case const& setup);

@@ -28,6 +28,7 @@ double count_outside(Press const& press) {
   if (!die.present)
     return 0.0; // on the open punch a grain may roll off
   double const top = upper.displacement.z() + press.programme.faces().upper;
+  double const slope = press.setup.tooling.punch_slope();
   double const bottom = floor_of(press);
   double const rim = die.displacement.z() + rim_height(die);
   auto const is_outside = [&](std::size_t i) {
@@ -35,7 +36,7 @@ double count_outside(Press const& press) {
     double const R = grains.radius[i];
     double const r = std::hypot(x.x() - die.displacement.x(), x.y() - die.displacement.y());
     return (r > bore + R && x.z() < rim) || (lower.present && x.z() < bottom - R) ||
-           (upper.present && x.z() > top + R);
+           (upper.present && x.z() > top + slope * x.x() + R);
   };
   double n = 0.0;
   for (std::size_t i = 0; i < grains.size(); ++i)
@@ -73,12 +74,15 @@ void read_energies(Press const& press, Reading& r) {
   r.tangential_work = world.energy.tangential_work;
   r.rolling_loss = world.energy.rolling_work;
   r.released_energy = press.tally.released_energy;
+  r.breakage_loss = press.tally.breakage_loss;
+  r.broken_grains = static_cast<double>(press.tally.broken_grains);
+  r.dust_mass = press.tally.dust_mass;
   r.frame_energy = press.setup.frame.energy(r.upper_punch_force);
   double const found =
       r.kinetic_energy + r.elastic_energy + r.cohesive_energy - press.tally.start_energy;
   double const put_in = r.tool_work + r.gravity_work;
   double const gone = r.normal_damping_loss + r.plastic_loss + r.tangential_work + r.rolling_loss +
-                      r.released_energy;
+                      r.released_energy + r.breakage_loss;
   r.energy_error = found - (put_in - gone);
 }
 
@@ -103,6 +107,16 @@ void read_deformation(Press const& press, Reading& r) {
   r.tool_energy = coupling.energy(press.world);
   if (coupling.choice().mode != CouplingMode::one_way)
     r.bed_height += r.upper_punch_retreat + r.lower_punch_retreat;
+}
+
+/// Dust lies in the pores, as much beside every grain:  1 - (1 - p) (1 + V_dust / V_grains).
+double filled_with_dust(Press const& press, double porosity) {
+  if (press.tally.dust_volume == 0.0)
+    return porosity;
+  double volume = 0.0;
+  for (double const radius : press.world.grains.radius)
+    volume += dem::sphere_volume(radius);
+  return 1.0 - (1.0 - porosity) * (1.0 + press.tally.dust_volume / volume);
 }
 
 } // namespace
@@ -131,6 +145,9 @@ std::vector<PressRecord::Column> curve_columns() {
           {"tangential_work", "J"},
           {"rolling_loss", "J"},
           {"released_energy", "J"},
+          {"breakage_loss", "J"},
+          {"broken_grains", "1"},
+          {"dust_mass", "kg"},
           {"frame_energy", "J"},
           {"tool_energy", "J"},
           {"upper_punch_retreat", "m"},
@@ -164,6 +181,9 @@ std::vector<double> row_of(Reading const& r) {
           r.tangential_work,
           r.rolling_loss,
           r.released_energy,
+          r.breakage_loss,
+          r.broken_grains,
+          r.dust_mass,
           r.frame_energy,
           r.tool_energy,
           r.upper_punch_retreat,
@@ -216,10 +236,10 @@ void measure_compact(Press& press) {
   double const bore = 0.5 * press.setup.tooling.bore_diameter;
   double const floor = floor_of(press);
   auto const seed = dem::seed_porosity(grains, contacts, bore, floor);
-  press.tally.porosity = seed.porosity;
+  press.tally.porosity = filled_with_dust(press, seed.porosity);
   press.tally.compact_height = seed.height;
   auto const core = dem::find_core(grains, press.setup.output.core_diameter_fraction * bore, floor);
-  press.tally.porosity_core = dem::core_porosity(grains, contacts, core);
+  press.tally.porosity_core = filled_with_dust(press, dem::core_porosity(grains, contacts, core));
 }
 
 void measure_released_shape(Press& press) {

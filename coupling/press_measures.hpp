@@ -36,6 +36,9 @@ struct Reading {
   double tangential_work = 0.0;      ///< [J], into springs, dashpots and sliding
   double rolling_loss = 0.0;         ///< [J]
   double released_energy = 0.0;      ///< [J], that went with removed tools
+  double breakage_loss = 0.0;        ///< [J], that contacts, motion and dust of broken grains held
+  double broken_grains = 0.0;        ///< so far
+  double dust_mass = 0.0;            ///< [kg], of them; in no grain any more
   double frame_energy = 0.0;         ///< [J], in the press frame, beside the grains' ledger
   double tool_energy = 0.0;          ///< [J], stored in deformable tools, likewise
   double upper_punch_retreat = 0.0;  ///< [m], mean shortening of the punch at its face

@@ -173,7 +173,7 @@ bool PressProgramme::stage_has_ended(dem::World const& world) const {
   bool const is_driven =
       stage().kind == StageKind::move || stage().kind == StageKind::follow || stage().servo;
   double const gap = punch_gap(world, faces_);
-  if (is_driven && gap <= 0.0)
+  if (is_driven && gap <= faces_.drop)
     throw dem::PhysicsGuard(fmt::format(
         "stage '{}': the punches meet at t = {:.6g} s (gap {:.6g} m). Is there too little "
         "powder for the stage's limit?",

@@ -17,10 +17,11 @@ namespace coupling {
 /// Heights of the punch faces in the tools' own frames [m].
 struct PunchFaces {
   double lower = 0.0;
-  double upper = 0.0;
+  double upper = 0.0; ///< in its middle
+  double drop = 0.0;  ///< of the lowest side of a tilted upper face below its middle
 };
 
-/// Distance of the punch faces as they are [m]; kept when a punch has been released.
+/// Distance of the punch faces as they are, on the axis [m]; kept when a punch has been released.
 double punch_gap(dem::World const& world, PunchFaces const& faces);
 
 /// Height of the die's rim in its own frame [m].
@@ -96,6 +97,9 @@ public:
 
   /// Counts the step that has been made; on the last of a plan the time is set to the planned end.
   void step_done(dem::World& world);
+
+  /// Plans the rest of the stage anew: the grains allow another step.
+  void renew_plan(dem::World const& world) { plan_steps(world); }
 
   /// Stops the tools and goes on to the next stage.
   void finish_stage(dem::World& world);

@@ -1,5 +1,6 @@
 #include "coupling/press_set_up.hpp"
 
+#include "coupling/fill_state.hpp"
 #include "coupling/gap_path.hpp"
 #include "coupling/press_grains.hpp"
 #include "coupling/press_measures.hpp"
@@ -99,8 +100,9 @@ void check_walls(Case const& setup, dem::Spheres const& grains) {
   for (std::size_t i = 0; i < grains.size(); ++i) {
     dem::Vec3 const& x = grains.position[i];
     double const R = grains.radius[i];
+    double const ceiling = gap + setup.tooling.punch_slope() * x.x();
     double const overlap =
-        std::max({std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - gap});
+        std::max({std::hypot(x.x(), x.y()) + R - bore, R - x.z(), x.z() + R - ceiling});
     if (overlap <= limit * R)
       continue;
     ++n_outside;
@@ -182,6 +184,7 @@ PressProgramme::LongestStep longest_step_of(TimeStepping const& time_stepping) {
 
 Press set_up_press(Case const& setup) {
   Press press = empty_press(setup);
+  press.world.materials = materials_now(press);
   press.world.grains = fill_die(setup);
   press.grain_mass = total_mass(press.world.grains);
   check_walls(setup, press.world.grains);
@@ -196,6 +199,7 @@ Press restore_press(Case const& setup, std::filesystem::path const& restart_file
   StateReader read(restart_file);
   press.load(read);
   read.finish();
+  change_materials(press);
   return press;
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace coupling {
 namespace {
@@ -16,6 +17,9 @@ constexpr double equilibrium_tolerance = 0.01;
 // Momentum is kept to rounding in double precision; single-precision forces lose some 1e-7 of each
 // contact's force.
 constexpr double momentum_tolerance = 1e-3;
+
+// What breaks turns into fragments and dust, but for the rounding of a sum.
+constexpr double mass_tolerance = 1e-10;
 
 Check upper_bound(std::string name, double value, double tolerance) {
   return {
@@ -74,6 +78,11 @@ void append_coupling_checks(Press const& press, std::vector<Check>& checks) {
                                  static_cast<double>(coupling.choice().most_iterations)));
 }
 
+double mass_of_grains(Press const& press) {
+  auto const& mass = press.world.grains.mass;
+  return std::accumulate(mass.begin(), mass.end(), 0.0);
+}
+
 std::vector<Check> checks_of(Press const& press) {
   PressTally const& tally = press.tally;
   std::vector<Check> checks{
@@ -89,6 +98,10 @@ std::vector<Check> checks_of(Press const& press) {
       upper_bound("time step / Hertz collision time", tally.step_to_collision,
                   largest_step_to_collision),
       upper_bound("time step / stable step", tally.step_to_stable, 1.0)};
+  if (press.setup.breakage.is_on())
+    checks.push_back(upper_bound("mass of the grains, error / mass",
+                                 share(mass_of_grains(press) - press.grain_mass, press.grain_mass),
+                                 mass_tolerance));
   if (!press.setup.frame.is_rigid())
     checks.push_back(upper_bound("press frame, error / largest deflection",
                                  press.programme.frame().largest_error(), frame_tolerance));

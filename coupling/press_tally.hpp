@@ -31,8 +31,14 @@ struct PressTally {
   // Energy.
   double start_energy = 0.0;    ///< [J], kinetic and stored
   double released_energy = 0.0; ///< [J], stored in contacts with tools when these were removed
+  double breakage_loss = 0.0;   ///< [J], that went with broken grains
   double peak_work = 0.0;       ///< [J], largest so far that tools and gravity did
   double energy_error = 0.0;    ///< [J], largest size so far
+
+  // Grains that broke, and what of them is no grain any more.
+  std::uint64_t broken_grains = 0;
+  double dust_mass = 0.0;   ///< [kg]
+  double dust_volume = 0.0; ///< [m^3]
 
   double max_outside = 0.0; ///< grains outside the tools while the die is present
 
@@ -72,6 +78,10 @@ template <class Field> void PressTally::visit_state(Field&& field) {
   field("tally/imbalance_at_peak", imbalance_at_peak);
   field("tally/start_energy", start_energy);
   field("tally/released_energy", released_energy);
+  field("tally/breakage_loss", breakage_loss);
+  field("tally/broken_grains", broken_grains);
+  field("tally/dust_mass", dust_mass);
+  field("tally/dust_volume", dust_volume);
   field("tally/peak_work", peak_work);
   field("tally/energy_error", energy_error);
   field("tally/max_outside", max_outside);

@@ -59,10 +59,20 @@ dem::SmoothSurface make_punch_surface(Case const& setup, continuum::PunchPlace p
       dem::make_punch(t.bore_diameter, t.punch_length, t.chordal_tolerance, face));
 }
 
+/// Sheared along the axis, so that the face leans and the side stays upright in the bore.
+dem::SmoothSurface tilted(dem::SmoothSurface surface, double slope) {
+  if (slope == 0.0)
+    return surface;
+  dem::TriangleSurface triangles = surface.triangles();
+  for (dem::Vec3& vertex : triangles.vertices)
+    vertex.z() += slope * vertex.x();
+  return dem::SmoothSurface(std::move(triangles));
+}
+
 } // namespace
 
 PunchFaces starting_faces(Case const& setup) {
-  return {.lower = 0.0, .upper = setup.powder.fill_height};
+  return {.lower = 0.0, .upper = setup.powder.fill_height, .drop = 0.5 * setup.tooling.punch_tilt};
 }
 
 double tool_share(Case const& setup) {
@@ -82,9 +92,9 @@ std::vector<dem::Tool> make_tools(Case const& setup, std::uint8_t material) {
   };
   std::vector<dem::Tool> tools;
   tools.push_back(named("die", make_die_surface(setup)));
-  tools.push_back(
-      named("upper_punch", moved_along_axis(make_punch_surface(setup, continuum::PunchPlace::upper),
-                                            setup.powder.fill_height)));
+  auto upper =
+      tilted(make_punch_surface(setup, continuum::PunchPlace::upper), setup.tooling.punch_slope());
+  tools.push_back(named("upper_punch", moved_along_axis(upper, setup.powder.fill_height)));
   tools.push_back(named("lower_punch", make_punch_surface(setup, continuum::PunchPlace::lower)));
   return tools;
 }

@@ -24,6 +24,7 @@ struct ContactChoice {
   /// A [s] of a dashpot A dF/dd beside each normal law: the viscoelastic sphere of Brilliantov,
   /// Spahn, Hertzsch and Poeschel, Phys. Rev. E 53 (1996) 5382, whose force is F + A dF/dt.
   double viscous_time = 0.0;
+  double multi_contact = 0.0; ///< b [1], see multi_contact.hpp; 0: off
   Precision precision = Precision::mixed;
 };
 

@@ -43,6 +43,9 @@ void ContactEngine::follow_tools(World const& world) {
 std::vector<WallImpulse> ContactEngine::take_impulses() {
   return store_->take_impulses();
 }
+void ContactEngine::forget(std::span<std::uint32_t const> rows) {
+  store_->forget(rows);
+}
 void ContactEngine::visit(World const& world, ContactStream::Visit const& visit) const {
   store_->visit(world, visit);
 }

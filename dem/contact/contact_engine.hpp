@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace dem {
@@ -68,6 +69,9 @@ public:
   /// What grains gave the deformable tools since it was last asked, one entry a contact and list,
   /// in the order of blocks; places are those of the beginning of the window or of the list.
   std::vector<WallImpulse> take_impulses();
+
+  /// Empties the histories of all contacts of these grains, before they are replaced by others.
+  void forget(std::span<std::uint32_t const> rows);
 
   /// Every active contact in full precision, with the springs as they are, in the order of rows.
   void visit(World const& world, ContactStream::Visit const& visit) const;

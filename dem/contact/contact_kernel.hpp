@@ -10,6 +10,8 @@
 
 namespace dem {
 
+template <class T> struct Crowding;
+
 /// What a sweep reads besides the block, and where the loads go.
 template <class T> struct SweepInput {
   Spheres const& grains;
@@ -18,8 +20,9 @@ template <class T> struct SweepInput {
   LoadRecord<T>* halo_loads; ///< written
   std::span<Tool const> tools;
   ModelSwitches<T> switches;
-  double dt;          ///< [s]; 0: forces only, the springs stay as they are
-  double window_time; ///< [s], since the window of the deformable tools began
+  double dt;                   ///< [s]; 0: forces only, the springs stay as they are
+  double window_time;          ///< [s], since the window of the deformable tools began
+  Crowding<T> const* crowding; ///< of each row; null: contacts do not know each other
 };
 
 /// A contact model behind a table of functions, so that it is chosen once a sweep and inlined

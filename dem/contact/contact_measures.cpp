@@ -50,8 +50,39 @@ double overlap_of(ContactInput<double> const& in) {
   return in.square_gap / (in.radius_sum + vec3(in.separation).norm());
 }
 
+double effective_radius(ContactInput<double> const& in, Contact const& c) {
+  return c.j == Contact::none ? in.radius_i : in.radius_i * in.radius_j / in.radius_sum;
+}
+
 bool touches(ContactInput<double> const& in, ContactMemory<double> const& memory) {
   return in.square_gap > 0.0 || memory.normal >= 0.5;
+}
+
+/// Area A = pi R* d with which a contact displaces volume [m^2].
+double displacing_area(Spheres const& g, LinearContact const& c) {
+  bool const is_pair = c.j != LinearContact::wall;
+  double const overlap = 2.0 * (g.radius[c.i] - c.lever_i);
+  return pi * overlap * (is_pair ? pair_size(g, c.i, c.j) : wall_size(g, c.i)).effective_radius;
+}
+
+/// Contacts of one grain stiffen each other by  d F_c / d d_e = b K / V A_c A_e.  Each gets the sum
+/// of its row, which bounds what they do together.
+void add_crowding(Spheres const& g, CrowdingField<double> const& crowding,
+                  std::vector<LinearContact>& contacts) {
+  std::vector<double> area(g.size(), 0.0);
+  auto const for_each_grain = [](LinearContact const& c, auto&& visit) {
+    visit(c.i);
+    if (c.j != LinearContact::wall)
+      visit(c.j);
+  };
+  for (LinearContact const& c : contacts)
+    for_each_grain(c, [&](std::size_t i) { area[i] += displacing_area(g, c); });
+  for (LinearContact& c : contacts) {
+    double const own = displacing_area(g, c);
+    for_each_grain(c, [&](std::size_t i) {
+      c.normal_stiffness += crowding[i].per_volume * own * (area[i] - own);
+    });
+  }
 }
 
 } // namespace
@@ -61,6 +92,7 @@ bool touches(ContactInput<double> const& in, ContactMemory<double> const& memory
 template <class T>
 template <class Visit>
 void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
+                                     CrowdingField<double> const& crowding,
                                      ContactBlock<T> const& block, Visit&& visit) const {
   Spheres const& g = world.grains;
   double constants[16] = {};
@@ -73,7 +105,13 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
     Contact c{};
     c.i = i, c.j = j, c.tool = c.patch = c.triangle = Contact::none;
     kernel_.constants(table(g.material[i], g.material[j]), pair_size(g, i, j), choice_, constants);
-    visit(c, pair_input(g, i, j), constants, memory_at(k));
+    auto input = pair_input(g, i, j);
+    if (!crowding.is_empty())
+      input.crowding =
+          crowding_force(pair_size(g, i, j).effective_radius, std::max(overlap_of(input), 0.0),
+                         crowding[i].pressure + crowding[j].pressure,
+                         crowding[i].per_volume + crowding[j].per_volume);
+    visit(c, input, constants, memory_at(k));
   }
   std::vector<SurfacePoint> found;
   for (std::size_t k = 0; k < block.walls.size(); ++k) {
@@ -100,8 +138,12 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
     c.point = found.front().point + shift;
     kernel_.constants(table(g.material[wall.owner], tool.material), wall_size(g, wall.owner),
                       choice_, constants);
-    visit(c, wall_input(g, tool.velocity + motion.velocity, wall.owner, found.front()), constants,
-          memory_at(block.wall_offset + k));
+    auto input = wall_input(g, tool.velocity + motion.velocity, wall.owner, found.front());
+    if (!crowding.is_empty())
+      input.crowding =
+          crowding_force(g.radius[wall.owner], std::max(overlap_of(input), 0.0),
+                         crowding[wall.owner].pressure, crowding[wall.owner].per_volume);
+    visit(c, input, constants, memory_at(block.wall_offset + k));
   }
 }
 
@@ -109,14 +151,15 @@ void TypedStore<T>::for_each_contact(World const& world, PairTable const& table,
 /// results back in block order.
 template <class T>
 template <class Result, class Visit>
-std::vector<Result> TypedStore<T>::per_block(World const& world, std::size_t first, std::size_t end,
-                                             Visit&& visit) const {
+std::vector<Result>
+TypedStore<T>::per_block(World const& world, CrowdingField<double> const& crowding,
+                         std::size_t first, std::size_t end, Visit&& visit) const {
   std::vector<Result> results(end - first);
   PairTable const table(world.materials);
 #pragma omp parallel for schedule(dynamic, 1) if (results.size() > 1)
   for (std::size_t b = 0; b < results.size(); ++b)
     for_each_contact(
-        world, table, lists_.blocks[first + b],
+        world, table, crowding, lists_.blocks[first + b],
         [&](Contact const& c, ContactInput<double> const& in, double const* constants,
             ContactMemory<double> const& memory) { visit(results[b], c, in, constants, memory); });
   return results;
@@ -149,34 +192,55 @@ void TypedStore<T>::visit(World const& world, ContactStream::Visit const& look) 
     part.push_back(c);
   };
   std::size_t const n_blocks = lists_.blocks.size();
+  auto const crowding = crowding_now(world);
   for (std::size_t first = 0; first < n_blocks; first += at_once)
     for (auto const& part : per_block<std::vector<Contact>>(
-             world, first, std::min(first + at_once, n_blocks), complete))
+             world, crowding, first, std::min(first + at_once, n_blocks), complete))
       for (Contact const& contact : part)
         look(contact);
 }
 
+template <class T> CrowdingField<double> TypedStore<T>::crowding_now(World const& world) const {
+  CrowdingField<double> crowding;
+  crowding.form(world, lists_, choice_.multi_contact);
+  return crowding;
+}
+
 template <class T> StoredEnergy TypedStore<T>::energy(World const& world) const {
+  auto const crowding = crowding_now(world);
+  // Half of S^2 a grain, less half of v^2 a contact and grain: see multi_contact.hpp.
+  auto const alone = [&](Contact const& c, double effective_radius, double overlap) {
+    if (crowding.is_empty())
+      return 0.0;
+    double const volume = displaced_volume(effective_radius, overlap);
+    double const per_volume =
+        crowding[c.i].per_volume + (c.j == Contact::none ? 0.0 : crowding[c.j].per_volume);
+    return 0.5 * per_volume * volume * volume;
+  };
   auto const parts = per_block<StoredEnergy>(
-      world, 0, lists_.blocks.size(),
-      [&](StoredEnergy& part, Contact const&, ContactInput<double> const& in,
+      world, crowding, 0, lists_.blocks.size(),
+      [&](StoredEnergy& part, Contact const& c, ContactInput<double> const& in,
           double const* constants, ContactMemory<double> const& memory) {
         if (!touches(in, memory))
           return;
         double const overlap = overlap_of(in);
         auto const e = kernel_.energy(constants, overlap, memory.normal, in.radius_i, in.radius_j);
-        part.elastic += e.elastic;
+        part.elastic += e.elastic - alone(c, effective_radius(in, c), std::max(overlap, 0.0));
         part.cohesive += e.cohesive;
       });
   StoredEnergy total;
+  if (!crowding.is_empty())
+    for (std::size_t i = 0; i < world.grains.size(); ++i)
+      total.elastic += 0.5 * crowding[i].pressure * crowding[i].pressure / crowding[i].per_volume;
   for (StoredEnergy const& part : parts)
     total.elastic += part.elastic, total.cohesive += part.cohesive;
   return total;
 }
 
 template <class T> double TypedStore<T>::stable_step(World const& world) const {
+  auto const crowding = crowding_now(world);
   auto const parts = per_block<std::vector<LinearContact>>(
-      world, 0, lists_.blocks.size(),
+      world, crowding, 0, lists_.blocks.size(),
       [&](std::vector<LinearContact>& part, Contact const& c, ContactInput<double> const& in,
           double const* constants, ContactMemory<double> const& memory) {
         Vec3 const separation = vec3(in.separation);
@@ -189,7 +253,7 @@ template <class T> double TypedStore<T>::stable_step(World const& world) const {
                         .normal = separation.normalized(),
                         .lever_i = in.radius_i - 0.5 * overlap,
                         .lever_j = in.radius_j - 0.5 * overlap,
-                        .normal_stiffness = s.normal,
+                        .normal_stiffness = s.normal + in.crowding / overlap,
                         .tangential_stiffness = s.tangential,
                         .normal_dashpot = s.normal_dashpot + choice_.viscous_time * s.normal,
                         .tangential_dashpot = s.tangential_dashpot});
@@ -197,6 +261,8 @@ template <class T> double TypedStore<T>::stable_step(World const& world) const {
   std::vector<LinearContact> contacts;
   for (auto const& part : parts)
     contacts.insert(contacts.end(), part.begin(), part.end());
+  if (!crowding.is_empty())
+    add_crowding(world.grains, crowding, contacts);
   return dem::stable_step(world.grains, contacts);
 }
 
@@ -205,7 +271,7 @@ template <class T> ListStatistics TypedStore<T>::statistics(World const& world) 
                    .inner_builds = lists_.inner_builds,
                    .seconds = build_seconds_};
   for (auto const n : per_block<std::uint64_t>(
-           world, 0, lists_.blocks.size(),
+           world, {}, 0, lists_.blocks.size(),
            [&](std::uint64_t&part, Contact const&, ContactInput<double> const&in, double const*,
                ContactMemory<double> const&memory) { part += touches(in, memory); }))
     s.active += n;
@@ -216,6 +282,7 @@ template <class T> ListStatistics TypedStore<T>::statistics(World const& world) 
   }
   for (ListAge const* age : {&lists_.outer, &lists_.inner})
     s.bytes += bytes(age->position, age->skin);
+  s.bytes += crowding_.bytes();
   s.bytes +=
       bytes(lists_.pairs.start, lists_.pairs.partner, lists_.near_tool_start, lists_.near_tool,
             lists_.halo_start, lists_.own_loads, lists_.halo_loads, motions_);

@@ -18,6 +18,7 @@ template <class N> struct ContactInput {
   N radius_i, radius_j;     ///< [m]
   Triple<N> velocity;       ///< v_i - v_j [m/s]
   Triple<N> spin_i, spin_j; ///< [rad/s]
+  N crowding{0};            ///< [N], by other contacts of the two grains, see multi_contact.hpp
 };
 
 template <class N> struct ContactOutput {
@@ -94,7 +95,8 @@ template <class Normal, class Cohesion, class Tangential, class Rolling> struct 
     auto acts = overlap > N(0);
     if constexpr (has_memory)
       acts = acts || memory.normal > N(0.5f);
-    N repulsion = normal.elastic + normal.damping - viscous * separation_velocity;
+    N const elastic = normal.elastic + in.crowding;
+    N repulsion = elastic + normal.damping - viscous * separation_velocity;
     repulsion = select(switches.clip > N(0.5f), larger(repulsion, N(0)), repulsion);
     ContactGeometry<N> of_area = geometry;
     if constexpr (PlasticLaw<Normal>) {
@@ -109,7 +111,7 @@ template <class Normal, class Cohesion, class Tangential, class Rolling> struct 
     out.normal_force = normal_force;
     out.cohesive_force = select(acts, cohesion, N(0));
     out.force = normal_force * n;
-    out.normal_loss = select(acts, (normal.elastic - repulsion) * separation_velocity, N(0));
+    out.normal_loss = select(acts, (elastic - repulsion) * separation_velocity, N(0));
     if constexpr (PlasticLaw<Normal>) {
       auto const cohesion_at = [&](N const& d) {
         of_area.overlap = d;
@@ -144,8 +146,8 @@ template <class Normal, class Cohesion, class Tangential, class Rolling> struct 
     }
     if constexpr (Rolling::resists) {
       Triple<N> const relative = in.spin_i - in.spin_j;
-      Triple<N> const torque = select(acts, N(1), N(0)) *
-                               Rolling::torque(constants.rolling, normal.elastic, n, relative);
+      Triple<N> const torque =
+          select(acts, N(1), N(0)) * Rolling::torque(constants.rolling, elastic, n, relative);
       out.torque_i = out.torque_i + torque;
       out.torque_j = out.torque_j - torque;
       out.rolling_loss = -dot(torque, relative);

@@ -251,6 +251,20 @@ template <class T> void TypedStore<T>::evaluate(World& world) {
   complete(world);
 }
 
+template <class T> void TypedStore<T>::forget(std::span<std::uint32_t const> rows) {
+  std::vector<std::uint32_t> sorted(rows.begin(), rows.end());
+  std::ranges::sort(sorted);
+  auto const is_gone = [&](std::uint32_t row) { return std::ranges::binary_search(sorted, row); };
+  for (ContactBlock<T>& block : lists_.blocks) {
+    for (std::size_t k = 0; k < block.n_pairs; ++k)
+      if (is_gone(block.rows[block.owner[k]]) || is_gone(block.rows[block.partner[k]]))
+        block.remember(k, {});
+    for (std::size_t k = 0; k < block.walls.size(); ++k)
+      if (is_gone(block.walls[k].owner))
+        block.remember(block.wall_offset + k, {});
+  }
+}
+
 template <class T> void TypedStore<T>::write_records(World const& world) {
   motions_.resize(world.grains.size());
   for (std::size_t i = 0; i < world.grains.size(); ++i)
@@ -308,6 +322,7 @@ template <class T> void TypedStore<T>::tally_tools(World& world, double dt) cons
 }
 
 template <class T> void TypedStore<T>::sweep(World& world, double dt) {
+  crowding_.form(world, lists_, choice_.multi_contact);
   SweepInput<T> const input{
       .grains = world.grains,
       .motions = motions_.data(),
@@ -318,7 +333,8 @@ template <class T> void TypedStore<T>::sweep(World& world, double dt) {
                    .clip = choice_.clip_attractive_damping ? T(1) : T(0),
                    .viscous_time = static_cast<T>(choice_.viscous_time)},
       .dt = dt,
-      .window_time = world.window_time};
+      .window_time = world.window_time,
+      .crowding = crowding_.data()};
 // Static: a block stays with its thread, and its contacts in that core's cache.
 #pragma omp parallel for schedule(static) if (lists_.blocks.size() > 1)
   for (std::size_t b = 0; b < lists_.blocks.size(); ++b)

@@ -2,6 +2,7 @@
 
 #include "dem/contact/contact_engine.hpp"
 #include "dem/contact/contact_lists.hpp"
+#include "dem/contact/multi_contact.hpp"
 #include "dem/step/kick.hpp"
 
 namespace dem {
@@ -18,6 +19,7 @@ public:
   virtual void evaluate(World& world) = 0;
   virtual void follow_tools(World const& world) = 0;
   virtual std::vector<WallImpulse> take_impulses() = 0;
+  virtual void forget(std::span<std::uint32_t const> rows) = 0;
   virtual void visit(World const& world, ContactStream::Visit const& visit) const = 0;
   virtual StoredEnergy energy(World const& world) const = 0;
   virtual double stable_step(World const& world) const = 0;
@@ -42,6 +44,7 @@ public:
   void evaluate(World& world) override;
   void follow_tools(World const& world) override;
   std::vector<WallImpulse> take_impulses() override;
+  void forget(std::span<std::uint32_t const> rows) override;
   void visit(World const& world, ContactStream::Visit const& visit) const override;
   StoredEnergy energy(World const& world) const override;
   double stable_step(World const& world) const override;
@@ -62,20 +65,23 @@ private:
   GrainLoad load_of(World const& world, std::uint32_t i) const;
   void tally_tools(World& world, double dt) const;
   template <class Visit>
-  void for_each_contact(World const& world, PairTable const& table, ContactBlock<T> const& block,
+  void for_each_contact(World const& world, PairTable const& table,
+                        CrowdingField<double> const& crowding, ContactBlock<T> const& block,
                         Visit&& visit) const;
   template <class Result, class Visit>
-  std::vector<Result> per_block(World const& world, std::size_t first, std::size_t end,
-                                Visit&& visit) const;
+  std::vector<Result> per_block(World const& world, CrowdingField<double> const& crowding,
+                                std::size_t first, std::size_t end, Visit&& visit) const;
+  CrowdingField<double> crowding_now(World const& world) const;
 
   ContactChoice choice_;
   ContactKernel<T> kernel_;
   ContactLists<T> lists_;
   std::vector<WallImpulse> impulses_; ///< of this window, of contacts of lists that are gone
   std::vector<MotionRecord<T>> motions_;
-  bool is_open_ = false;     ///< the grains still lack the loads and half kick of the last sweep
-  double open_step_ = 0.0;   ///< [s], of that sweep
-  bool grains_hold_ = false; ///< no grain has left its inner skin since the last drift
+  CrowdingField<T> crowding_; ///< of the last sweep
+  bool is_open_ = false;      ///< the grains still lack the loads and half kick of the last sweep
+  double open_step_ = 0.0;    ///< [s], of that sweep
+  bool grains_hold_ = false;  ///< no grain has left its inner skin since the last drift
   std::vector<double>
       travel_; ///< [m], bound on how far any grain of a chunk has moved since the last build
   std::vector<double> least_skin_; ///< [m], of each chunk

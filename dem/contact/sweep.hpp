@@ -41,7 +41,8 @@ template <class Model, class T>
         .radius_j = N(b.radius_j + k, aligned),
         .velocity = {N(b.vx + k, aligned), N(b.vy + k, aligned), N(b.vz + k, aligned)},
         .spin_i = {N(b.wix + k, aligned), N(b.wiy + k, aligned), N(b.wiz + k, aligned)},
-        .spin_j = {N(b.wjx + k, aligned), N(b.wjy + k, aligned), N(b.wjz + k, aligned)}};
+        .spin_j = {N(b.wjx + k, aligned), N(b.wjy + k, aligned), N(b.wjz + k, aligned)},
+        .crowding = N(b.crowding + k, aligned)};
     auto const constants = load_model_constants<Model, N>(
         block.constants.data() + (at + k) * Model::n_constants, lanes);
     ContactOutput<N> const out = Model::evaluate(input, constants, switches, dt, memory);
@@ -83,6 +84,8 @@ template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T>
     gather_pairs(b, block, k, (n + 3) / 4 * 4, in);
     blank(b, n, full);
     form_gaps(b, full);
+    if (in.crowding)
+      crowd_pairs(b, block, k, n, in.crowding);
     evaluate_batch<Model>(b, full, block, k, in, power);
     scatter_pairs(b, block, k, n, loads.data());
   }
@@ -93,6 +96,8 @@ template <class Model, class T> void sweep(ContactBlock<T>& block, SweepInput<T>
     gather_walls(b, block.walls.data() + k, yields, n, in, found);
     blank(b, n, full);
     form_gaps(b, full);
+    if (in.crowding)
+      crowd_walls(b, block.walls.data() + k, n, in.crowding);
     evaluate_batch<Model>(b, full, block, block.wall_offset + k, in, power);
     scatter_walls(b, n, block.walls.data() + k, yields, in.dt, block.first_row, loads.data());
   }

@@ -2,8 +2,9 @@
 
 #include "dem/contact/contact_block.hpp"
 #include "dem/contact/contact_kernel.hpp"
+#include "dem/contact/crowding.hpp"
 #include "dem/contact/lanes.hpp"
-#include "dem/surface/tool.hpp"
+#include "dem/contact/wall_meeting.hpp"
 
 #include <algorithm>
 
@@ -23,6 +24,7 @@ template <class T> struct alignas(64) Batch {
   T fx[batch], fy[batch], fz[batch];
   T tix[batch], tiy[batch], tiz[batch];
   T tjx[batch], tjy[batch], tjz[batch], normal_force[batch];
+  T crowding[batch] = {}; ///< [N], by other contacts of the two grains; stays 0 where they are off
 };
 
 template <class T>
@@ -66,32 +68,12 @@ void gather_walls(Batch<T>& b, WallContact* walls, WallYield const* yields, std:
                   SweepInput<T> const& in, std::vector<SurfacePoint>& found) {
   for (std::size_t k = 0; k < n; ++k) {
     WallContact& wall = walls[k];
-    Tool const& tool = in.tools[wall.tool];
     double const radius = in.grains.radius[wall.owner];
     MotionRecord<T> const& motion = in.motions[wall.owner];
-    Vec3 shift = tool.displacement, velocity = tool.velocity;
-    if (yields) {
-      auto const& [displacement, speed] = yields[k].motion;
-      shift += displacement + in.window_time * speed;
-      velocity += speed;
-    }
-    Vec3 const centre = in.grains.position[wall.owner] - shift;
-    double distance = 2.0 * radius; // nothing there: as far as a partner that does not touch
-    Vec3 normal = Vec3::UnitZ(), point = centre;
-    if (tool.present) {
-      if (wall.inside_rim) {
-        SurfacePoint const at = tool.surface.on_patch(wall.patch, centre);
-        distance = at.distance, normal = at.normal, point = at.point;
-      } else {
-        found.clear();
-        tool.surface.find(centre, 1.2 * radius, found);
-        for (SurfacePoint const& at : found)
-          if (at.patch == wall.patch)
-            distance = at.distance, normal = at.normal, point = at.point;
-      }
-    }
-    wall.px = point.x() + shift.x(), wall.py = point.y() + shift.y();
-    wall.pz = point.z() + shift.z();
+    auto const [distance, normal, point, velocity] =
+        meet_wall(in.tools[wall.tool], wall, yields ? yields + k : nullptr, in.window_time,
+                  in.grains.position[wall.owner], radius, found);
+    wall.px = point.x(), wall.py = point.y(), wall.pz = point.z();
     Vec3 const separation = (radius + distance) * normal;
     b.x[k] = separation.x(), b.y[k] = separation.y(), b.z[k] = separation.z();
     b.vx[k] = motion.vx - static_cast<T>(velocity.x());
@@ -109,7 +91,7 @@ template <class T> void blank(Batch<T>& b, std::size_t first, std::size_t end) {
   for (std::size_t k = first; k < end; ++k) {
     b.x[k] = 3.0, b.y[k] = b.z[k] = 0.0;
     b.vx[k] = b.vy[k] = b.vz[k] = b.wix[k] = b.wiy[k] = b.wiz[k] = b.wjx[k] = b.wjy[k] = b.wjz[k] =
-        b.radius_rest[k] = T(0);
+        b.radius_rest[k] = b.crowding[k] = T(0);
     b.radius_i[k] = b.radius_j[k] = T(1);
   }
 }
@@ -124,6 +106,33 @@ template <class T> void form_gaps(Batch<T>& b, std::size_t n) {
     b.sy[k] = static_cast<T>(b.y[k]);
     b.sz[k] = static_cast<T>(b.z[k]);
     b.radius_sum[k] = static_cast<T>(sum);
+  }
+}
+
+/// How far the contact's own gap closes: the overlap, or 0.
+template <class T> T closed_gap(Batch<T> const& b, std::size_t k) {
+  T const r = std::sqrt(b.sx[k] * b.sx[k] + b.sy[k] * b.sy[k] + b.sz[k] * b.sz[k]);
+  return std::max(b.square_gap[k] / (b.radius_sum[k] + r), T(0));
+}
+
+template <class T>
+void crowd_pairs(Batch<T>& b, ContactBlock<T> const& block, std::size_t first, std::size_t n,
+                 Crowding<T> const* crowding) {
+  for (std::size_t k = 0; k < n; ++k) {
+    Crowding<T> const& i = crowding[block.rows[block.owner[first + k]]];
+    Crowding<T> const& j = crowding[block.rows[block.partner[first + k]]];
+    T const effective_radius = b.radius_i[k] * b.radius_j[k] / (b.radius_i[k] + b.radius_j[k]);
+    b.crowding[k] = crowding_force(effective_radius, closed_gap(b, k), i.pressure + j.pressure,
+                                   i.per_volume + j.per_volume);
+  }
+}
+
+template <class T>
+void crowd_walls(Batch<T>& b, WallContact const* walls, std::size_t n,
+                 Crowding<T> const* crowding) {
+  for (std::size_t k = 0; k < n; ++k) {
+    auto const& [pressure, per_volume] = crowding[walls[k].owner];
+    b.crowding[k] = crowding_force(b.radius_i[k], closed_gap(b, k), pressure, per_volume);
   }
 }
 

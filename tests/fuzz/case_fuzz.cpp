@@ -1,6 +1,7 @@
 // clang-format off
-// fuzz-build: coupling/case_build.cpp coupling/case_checks.cpp coupling/case_contacts.cpp
-// fuzz-build: coupling/case_file.cpp coupling/case_print.cpp coupling/case_reader.cpp
+// fuzz-build: coupling/case_breakage.cpp coupling/case_build.cpp coupling/case_checks.cpp coupling/case_contacts.cpp
+// fuzz-build: coupling/case_file.cpp coupling/case_fill.cpp coupling/case_print.cpp
+// fuzz-build: coupling/case_reader.cpp
 // fuzz-build: coupling/case_scan_*.cpp coupling/case_schema*.cpp
 // fuzz-build: coupling/case_stages.cpp coupling/case_text.cpp
 // fuzz-build: coupling/case_tool_shapes.cpp

@@ -18,6 +18,7 @@ struct Flavour {
   std::string name;
   std::string normal;
   dem::Precision precision;
+  double multi_contact = 0.0;
 
   friend std::ostream& operator<<(std::ostream& out, Flavour const& f) { return out << f.name; }
 };
@@ -34,6 +35,7 @@ build::Recipe recipe(Flavour const& flavour) {
   r.law.cohesion = flavour.normal == "jkr" ? "none" : "sjkr2";
   r.law.rolling = "constant_torque";
   r.law.precision = flavour.precision;
+  r.law.multi_contact = flavour.multi_contact;
   r.gravity = Vec3(0, 0, -9.81);
   return r;
 }
@@ -154,6 +156,7 @@ TEST_P(Bits, AreNotDisturbedByLooking) {
 INSTANTIATE_TEST_SUITE_P(Flavours, Bits,
                          ::testing::Values(Flavour{"hertz_mixed", "hertz", dem::Precision::mixed},
                                            Flavour{"hertz_full", "hertz", dem::Precision::full},
+                                           Flavour{"crowded", "hertz", dem::Precision::mixed, 1.0},
                                            Flavour{"jkr_mixed", "jkr", dem::Precision::mixed}),
                          [](auto const& p) { return p.param.name; });
 

@@ -32,7 +32,7 @@ struct Book {
 };
 
 /// @param dt  [s], steps = 1.2e-4 s / dt
-Book keep_book(std::string const& normal, bool rolling, double dt) {
+Book keep_book(std::string const& normal, bool rolling, double dt, double multi_contact = 0.0) {
   build::Recipe r;
   r.grain_grain = {
       .restitution = 0.5,
@@ -50,6 +50,7 @@ Book keep_book(std::string const& normal, bool rolling, double dt) {
   r.law.tangential = normal == "hooke" ? "hooke_spring" : "mindlin";
   r.law.rolling = rolling ? "constant_torque" : "none";
   r.law.precision = dem::Precision::full;
+  r.law.multi_contact = multi_contact;
   r.gravity = Vec3(0, 20.0, -50.0); // strong, so that its share of the book is seen
   dem::World world = build::empty_world(r);
   double const side = 4e-3;
@@ -118,6 +119,11 @@ TEST(EnergyBook, ClosesForPlasticContacts) {
     EXPECT_GT(book.plastic, 0.02 * book.scale) << normal << ": enough to be missed";
   }
   EXPECT_EQ(keep_book("hertz", false, 4e-7).plastic, 0.0);
+}
+
+TEST(EnergyBook, ClosesForContactsThatKnowOfEachOther) {
+  EXPECT_LE(std::abs(gap(keep_book("hertz", false, 5e-8, 10.0))), 1e-3);
+  EXPECT_LE(std::abs(gap(keep_book("thornton_ning", false, 5e-8, 10.0))), 1e-3);
 }
 
 TEST(EnergyBook, ClosesBetterWithASmallerStep) {

@@ -70,6 +70,7 @@ std::vector<Knob> knobs() {
       {"adhesion_exponent", [](R r) { r.law.adhesion_exponent = 5.0; }, use_edinburgh},
       {"edinburgh_surface_energy", [](R r) { r.grain_grain.surface_energy *= 1.1; }, use_edinburgh},
       {"viscous_time", [](R r) { r.law.viscous_time = 1e-6; }},
+      {"multi_contact", [](R r) { r.law.multi_contact = 1.0; }},
       {"cohesion_none", [](R r) { r.law.cohesion = "none"; }},
       {"cohesion_sjkr", [](R r) { r.law.cohesion = "sjkr"; }},
       {"cohesion_linear_reduced", [](R r) { r.law.cohesion = "linear_reduced"; }},

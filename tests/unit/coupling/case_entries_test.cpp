@@ -22,6 +22,9 @@ Overrides const powder_and_tools = {
     "Powder/Fill height=15 mm",
     "Powder/Packing seed=18",
     "Powder/Settle time=0.1 s",
+    "Powder/Fill state=0.4",
+    "Powder/Added fines/Share=5 %",
+    "Powder/Added fines/Diameter=0.2 mm",
     "Powder/Component 1/Name=spinel",
     "Powder/Component 1/Mass fraction=50 %",
     "Powder/Component 1/Density=3.6 g/cm^3",
@@ -31,10 +34,15 @@ Overrides const powder_and_tools = {
     "Powder/Component 2/Name=",
     "Powder/Component 5/Name=silica",
     "Powder/Component 5/Mass fraction=0.5",
+    "Breakage/Strength=30 MPa",
+    "Breakage/Weibull modulus=3",
+    "Breakage/Reference diameter=2 mm",
+    "Breakage/Smallest diameter=0.4 mm",
     "Tooling/Bore diameter=11 mm",
     "Tooling/Die height=30 mm",
     "Tooling/Wall thickness=8 mm",
     "Tooling/Punch length=7 mm",
+    "Tooling/Punch tilt=0.3 mm",
     "Tooling/Chordal tolerance=2 um",
     "Tooling/STL scale=1 mm",
     "Tooling/Density=7800 kg/m^3",
@@ -66,6 +74,7 @@ Overrides const laws_and_stages = {
     "Contact/Characteristic velocity=1 m/s",
     "Contact/Adhesion exponent=5",
     "Contact/Viscous time=2 us",
+    "Contact/Multi-contact coefficient=0.7",
     "Contact/Precision=double",
     "Contact/Particle-particle/Coefficient of restitution=0.4",
     "Contact/Particle-particle/Coefficient of static friction=0.3",
@@ -103,18 +112,28 @@ TEST(EveryEntry, OfPowderAndToolsReachesTheCase) {
   EXPECT_EQ(it.powder.fill_height, 15e-3);
   EXPECT_EQ(it.powder.seed, 18u);
   EXPECT_EQ(it.powder.settle_time, 0.1);
+  EXPECT_EQ(it.powder.fill_state, 0.4);
+  EXPECT_EQ(it.powder.fines.share, 0.05);
+  EXPECT_EQ(it.powder.fines.diameter, 0.2e-3);
   ASSERT_EQ(it.powder.components.size(), 2u);
   expect_equal(it.powder.components[0].material, {"spinel", 3600.0, 1e9, 0.2});
   EXPECT_EQ(it.powder.components[0].mass_fraction, 0.5);
-  ASSERT_EQ(it.powder.components[0].sizes.size(), 2u);
+  ASSERT_EQ(it.powder.components[0].sizes.size(), 3u);
   EXPECT_EQ(it.powder.components[0].sizes[1].diameter, 0.9e-3);
-  EXPECT_EQ(it.powder.components[0].sizes[1].mass_fraction, 0.6);
+  EXPECT_EQ(it.powder.components[0].sizes[1].mass_fraction, 0.6 * 0.95);
+  EXPECT_EQ(it.powder.components[0].sizes[2].diameter, 0.2e-3);
+  EXPECT_EQ(it.powder.components[0].sizes[2].mass_fraction, 0.05);
   EXPECT_EQ(it.powder.components[1].material.name, "silica");
+  EXPECT_EQ(it.breakage.strength, 30e6);
+  EXPECT_EQ(it.breakage.weibull_modulus, 3.0);
+  EXPECT_EQ(it.breakage.reference_diameter, 2e-3);
+  EXPECT_EQ(it.breakage.smallest_diameter, 0.4e-3);
   Tooling const& tooling = it.tooling;
   EXPECT_EQ(tooling.bore_diameter, 11e-3);
   EXPECT_EQ(tooling.die_height, 30e-3);
   EXPECT_EQ(tooling.wall_thickness, 8e-3);
   EXPECT_EQ(tooling.punch_length, 7e-3);
+  EXPECT_EQ(tooling.punch_tilt, 0.3e-3);
   EXPECT_EQ(tooling.chordal_tolerance, 2e-6);
   EXPECT_EQ(tooling.stl_scale, 1e-3);
   expect_equal(tooling.material, {"wall", 7800.0, 210e9, 0.3});
@@ -154,7 +173,7 @@ TEST(EveryEntry, OfPlasticContactsReachesTheCase) {
 TEST(EveryEntry, OfLawsAndStagesReachesTheCase) {
   Case const it = seed(laws_and_stages);
   expect_equal(it.contacts.law, {"hooke", "sjkr", "hooke_spring", "constant_torque", "elastic",
-                                 false, true, 1.0, 0.0, 0.0, 5.0, 2e-6, dem::Precision::full});
+                                 false, true, 1.0, 0.0, 0.0, 5.0, 2e-6, 0.7, dem::Precision::full});
   expect_equal(it.contacts.grain_grain, {0.4, 0.3, 0.01, 2e5, 0.0});
   expect_equal(it.contacts.grain_wall, {0.6, 0.1, 0.02, 1e5, 0.0});
   EXPECT_EQ(it.tooling.walls, WallKind::analytic);

@@ -32,6 +32,9 @@ inline void expect_equal(Powder const& a, Powder const& b) {
   EXPECT_EQ(a.fill_height, b.fill_height);
   EXPECT_EQ(a.seed, b.seed);
   EXPECT_EQ(a.settle_time, b.settle_time);
+  EXPECT_EQ(a.fill_state, b.fill_state);
+  EXPECT_EQ(a.fines.share, b.fines.share);
+  EXPECT_EQ(a.fines.diameter, b.fines.diameter);
 }
 
 inline void expect_equal(dem::ContactChoice const& a, dem::ContactChoice const& b) {
@@ -47,6 +50,7 @@ inline void expect_equal(dem::ContactChoice const& a, dem::ContactChoice const& 
   EXPECT_EQ(a.plasticity_ratio, b.plasticity_ratio);
   EXPECT_EQ(a.adhesion_exponent, b.adhesion_exponent);
   EXPECT_EQ(a.viscous_time, b.viscous_time);
+  EXPECT_EQ(a.multi_contact, b.multi_contact);
   EXPECT_EQ(a.precision, b.precision);
 }
 
@@ -64,6 +68,7 @@ inline void expect_equal(Tooling const& a, Tooling const& b) {
   EXPECT_EQ(a.die_height, b.die_height);
   EXPECT_EQ(a.wall_thickness, b.wall_thickness);
   EXPECT_EQ(a.punch_length, b.punch_length);
+  EXPECT_EQ(a.punch_tilt, b.punch_tilt);
   EXPECT_EQ(a.chordal_tolerance, b.chordal_tolerance);
   EXPECT_EQ(a.die_file, b.die_file);
   EXPECT_EQ(a.upper_punch_file, b.upper_punch_file);
@@ -101,6 +106,13 @@ inline void expect_equal(Output const& a, Output const& b) {
   EXPECT_EQ(a.core_diameter_fraction, b.core_diameter_fraction);
 }
 
+inline void expect_equal(BreakageLaw const& a, BreakageLaw const& b) {
+  EXPECT_EQ(a.strength, b.strength);
+  EXPECT_EQ(a.weibull_modulus, b.weibull_modulus);
+  EXPECT_EQ(a.reference_diameter, b.reference_diameter);
+  EXPECT_EQ(a.smallest_diameter, b.smallest_diameter);
+}
+
 inline void expect_equal(Case const& a, Case const& b) {
   EXPECT_EQ(a.title, b.title);
   EXPECT_EQ(a.mode, b.mode);
@@ -108,6 +120,7 @@ inline void expect_equal(Case const& a, Case const& b) {
   expect_equal(a.contacts.law, b.contacts.law);
   expect_equal(a.contacts.grain_grain, b.contacts.grain_grain);
   expect_equal(a.contacts.grain_wall, b.contacts.grain_wall);
+  expect_equal(a.breakage, b.breakage);
   expect_equal(a.tooling, b.tooling);
   ASSERT_EQ(a.stages.size(), b.stages.size());
   for (std::size_t i = 0; i < a.stages.size(); ++i)

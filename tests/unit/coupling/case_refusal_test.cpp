@@ -161,12 +161,57 @@ TEST(Powder, FromAFileThatIsNotThereIsRefused) {
             "one). Name it?");
 }
 
+TEST(AddedFines, ThatAddNothingOrAreNotFineAreRefused) {
+  std::string const share = "Powder/Added fines/Share=5 %";
+  EXPECT_EQ(refusal({share}), "case.prm: Powder/Added fines/Diameter = 0 mm (default): leaves the "
+                              "added fines without a size. Give them one?");
+  EXPECT_EQ(refusal({share, "Powder/Added fines/Diameter=0.5 mm"}),
+            "Powder/Added fines/Diameter = 0.5 mm: is not finer than 0.5 mm, a size class of MgO. "
+            "Choose a smaller one?");
+  EXPECT_EQ(refusal({share, "Powder/Added fines/Diameter=0.2 mm"}), "accepted");
+  EXPECT_EQ(refusal({"Powder/Added fines/Diameter=0.2 mm"}),
+            "Powder/Added fines/Diameter = 0.2 mm: is not used (Added fines/Share = 0). Remove "
+            "it?");
+  // 9.13 g 0.8 0.05 / (3500 kg/m^3 pi/6 (1 um)^3) = 1.99e11
+  EXPECT_EQ(refusal({share, "Powder/Added fines/Diameter=1 um"}),
+            "Powder/Added fines/Diameter = 1 um: asks for 1.99e+11 grains (limit 5e+07). Is the "
+            "unit right?");
+  EXPECT_EQ(refusal({"Powder/Fill method=file",
+                     "Powder/Fill file=" PRESSCHECK_SOURCE_DIR "/cases/quick/case.prm", share}),
+            "Powder/Added fines/Share = 5 %: is not used (Fill method = file brings its own "
+            "grains). Remove it?");
+}
+
+TEST(Breakage, WithoutStrengthIsNotUsed) {
+  EXPECT_EQ(refusal({"Breakage/Weibull modulus=3"}),
+            "Breakage/Weibull modulus = 3: is not used (Breakage/Strength = 0: grains do not "
+            "break). Remove it?");
+  EXPECT_EQ(refusal({"Breakage/Weibull modulus=3", "Breakage/Strength=30 MPa"}), "accepted");
+}
+
+TEST(FillState, WithoutTimeToSettleIsRefused) {
+  EXPECT_EQ(refusal({"Powder/Fill state=0.5"}),
+            "Powder/Fill state = 0.5: changes nothing (Settle time = 0 leaves the grains where "
+            "they were put). Give them time to settle?");
+  EXPECT_EQ(refusal({"Powder/Fill state=0.5", "Powder/Settle time=50 ms"}), "accepted");
+}
+
 TEST(Tooling, FilesThatAreMissingOrUnusedAreRefused) {
   std::string const message = refusal({"Tooling/Die file=die.stl"});
   EXPECT_TRUE(message.starts_with("Tooling/Die file = die.stl: does not exist")) << message;
   EXPECT_EQ(refusal({"Tooling/Chordal tolerance=2 mm"}),
             "Tooling/Chordal tolerance = 2 mm: is too coarse for the bore (22.1 mm). Take less "
             "than a twentieth of it?");
+}
+
+TEST(Tooling, ThatCannotTiltIsRefused) {
+  EXPECT_EQ(refusal({"Tooling/Punch tilt=0.3 mm"}), "accepted");
+  EXPECT_EQ(refusal({"Mode=two_way_secant", "Tooling/Punch tilt=0.3 mm"}),
+            "Tooling/Punch tilt = 0.3 mm: is for rigid tools (the bodies of Mode = two_way_secant "
+            "stand upright). Set Mode = rigid?");
+  EXPECT_EQ(refusal({"Tooling/Punch tilt=8 mm", "Press programme/Stage 1/Gap=4 mm"}),
+            "Tooling/Punch tilt = 8 mm: brings the low side of the upper punch onto the lower one "
+            "(at the end of stage 'loading' the gap is 4 mm). Tilt it less?");
 }
 
 TEST(Preset, AndALawThatContradictsItAreRefused) {
