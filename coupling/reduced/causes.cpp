@@ -69,15 +69,21 @@ void die_size(Press& press, double a, VectorXd const&) {
 void punch_tilt(Press& press, double a, VectorXd const&) {
   press.pressed.tilt += a;
 }
+/// Of the coefficient of friction the bed's column shows a part; a rougher wall holds the bed back
+/// as it opens. Slopes: cases/seed-library/grain_effects.json.
 void wall_friction(Press& press, double a, VectorXd const&) {
-  auto& mu = press.pressed.law.wall_friction;
-  mu = std::max(mu + a, 0.0);
+  auto& law = press.pressed.law;
+  law.wall_friction = std::max(law.wall_friction + 0.7 * a, 0.0);
+  law.recovery = std::max(law.recovery + 0.6 * a, 0.05);
 }
-/// Rougher grains pack looser, lean on each other more and on the wall less.
+/// Rougher grains pack looser, lean less on the wall and come back less. Slopes:
+/// cases/seed-library/grain_effects.json; the bed's stiffness does not change by more than its
+/// standard error, which is the shape parameter's.
 void particle_friction(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
-  law.onset -= 0.15 * a;
-  law.radial_ratio = std::max(law.radial_ratio - 0.5 * a, 0.05);
+  law.onset -= 0.055 * a;
+  law.radial_ratio = std::max(law.radial_ratio - 0.74 * a, 0.05);
+  law.recovery = std::max(law.recovery - 0.16 * a, 0.05);
   law.stiffness *= std::exp(shapes[0] * a);
 }
 /// Contacts that yield: softer above a stress, and less given back.
@@ -129,7 +135,7 @@ std::vector<Cause> const& known_causes() {
       cause("punch_tilt", "m", 0.25 * mm, positive, grains, punch_tilt),
       cause("wall_friction", "1", 0.06, both, grains, wall_friction),
       cause("particle_friction", "1", 0.06, both, grains, particle_friction,
-            {{"stiffening", "1", 2.0, 2.0, -8.0, 12.0}}),
+            {{"stiffening", "1", 0.0, 0.3, -3.0, 3.0}}),
       cause("plastic_contacts", "1", 0.3, positive, grains, plastic_contacts,
             {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0}, {"kept", "1", 0.7, 0.3, 0.0, 2.0}}),
       cause("breakage", "1", 0.01, positive, grains, breakage,

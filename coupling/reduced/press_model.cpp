@@ -74,9 +74,13 @@ PressModel::PressModel(Press nominal, Sheet const& sheet, RepeatScatter const& s
 
 Press PressModel::press_at(diagnosis::Parameters const& at) const {
   Press press = nominal_;
-  press.pressed.law.stiffness *= at.calibrated[0] / sheet_.young_modulus;
+  auto& law = press.pressed.law;
+  double const stiffer = at.calibrated[0] / sheet_.young_modulus;
+  law.stiffness *= stiffer;
+  law.cohesion *= stiffer;
   if (sheet_.cohesion > 0.0)
-    press.pressed.law.cohesion *= at.calibrated[1] / sheet_.cohesion;
+    law.cohesion =
+        std::max(law.cohesion + cohesion_slope * (at.calibrated[1] - sheet_.cohesion), 0.0);
   auto const& causes = known_causes();
   for (std::size_t j = 0; j < causes.size(); ++j)
     if (double const size = at.sizes[static_cast<Index>(j)]; size != 0.0)

@@ -7,16 +7,17 @@ namespace hidden {
 
 BedLaw::BedLaw(Powder const& powder, Effects const& effects)
     : stiffness_(4.3e8 * powder.young_modulus / 1375e6 * (1.0 + effects[Effect::young_modulus])),
-      cohesion_(1.9e7 * powder.cohesion_density / 3e6 * (1.0 + effects[Effect::cohesion])),
+      cohesion_(0.85e7 * powder.young_modulus / 1375e6 +
+                2.5 * powder.cohesion_density * (1.0 + effects[Effect::cohesion])),
       onset_(powder.onset), exponent_(powder.exponent), ratio_(powder.radial_ratio),
       friction_(powder.wall_friction),
       recovery_(powder.recovery - 0.01 * effects[Effect::cohesion]), curvature_(powder.curvature),
       residual_(powder.residual), effects_(effects) {
-  // Rougher grains pack looser, are stiffer as a bed and press less on the wall, all saturating.
+  // Rougher grains pack looser, press less on the wall and come back less, all saturating.
   double const rough = 0.15 * std::tanh(effects[Effect::particle_friction] / 0.15);
-  onset_ -= 0.15 * rough;
-  ratio_ -= 0.5 * rough;
-  stiffness_ *= 1.0 + 0.3 * rough;
+  onset_ -= 0.06 * rough;
+  ratio_ -= 0.75 * rough;
+  recovery_ += 0.65 * effects[Effect::wall_friction] - 0.15 * rough;
 }
 
 double BedLaw::onset(double stress) const {
@@ -69,7 +70,7 @@ double BedLaw::radial(double stress, double largest) const {
 }
 
 double BedLaw::friction(double depth, double radial_pressure) const {
-  double const own = friction_ + effects_[Effect::wall_friction] * (0.9 + 0.2 * depth);
+  double const own = friction_ + 0.7 * effects_[Effect::wall_friction] * (0.9 + 0.2 * depth);
   double const falls = effects_[Effect::pressure_friction];
   double const p = std::max(radial_pressure, 0.1 * MPa) / (20 * MPa);
   return std::max(own, 0.0) * std::pow(p, -falls);

@@ -9,7 +9,7 @@ constexpr double MPa = 1e6, mm = 1e-3, kN = 1e3;
 /// The seed's MgO/Al2O3 granules, as numbers of a bed. Source: full-size DEM runs.
 struct Powder {
   double young_modulus = 1.95e9; ///< E [Pa]; K = 4.3e8 Pa at 1375 MPa, proportional
-  double cohesion_density = 3e6; ///< CED [J/m^3]; S = 1.9e7 Pa at 3e6, proportional
+  double cohesion_density = 3e6; ///< CED [J/m^3]; S = 0.85e7 Pa E / 1375 MPa + 2.5 CED
   double onset = 0.633;          ///< phi_c [1]
   double exponent = 1.6;         ///< n [1]
   double radial_ratio = 0.51;    ///< [1], radial over axial stress

@@ -121,7 +121,9 @@ TEST(PressModel, CalibratesStiffnessAndCohesion) {
   at.calibrated[0] = 2.2e9;
   at.calibrated[1] = 6e6;
   EXPECT_DOUBLE_EQ(model.press_at(at).pressed.law.stiffness, 1.1 * 600e6);
-  EXPECT_DOUBLE_EQ(model.press_at(at).pressed.law.cohesion, 2.0 * 15e6);
+  EXPECT_DOUBLE_EQ(model.press_at(at).pressed.law.cohesion, 1.1 * 15e6 + 2.5 * 3e6);
+  at.calibrated << 2e8, 1e5;
+  EXPECT_EQ(model.press_at(at).pressed.law.cohesion, 0.0);
 }
 
 /// Every cause, at three prior sizes (a tilt shows by its square), moves some row by more than 5 standard uncertainties of its
@@ -179,7 +181,8 @@ TEST(PressModel, CausesDoWhatTheyAreCalled) {
   EXPECT_NEAR(wide.solid_area * wide.bore * wide.bore,
               plain.bed.solid_area * plain.bed.bore * plain.bed.bore, 1e-18);
   EXPECT_EQ(after("punch_tilt", 2e-4).pressed.tilt, 2e-4);
-  EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.wall_friction, 0.25);
+  EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.wall_friction, 0.235);
+  EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.recovery, 0.73);
   EXPECT_EQ(after("wall_friction", -0.5).pressed.law.wall_friction, 0.0);
   EXPECT_DOUBLE_EQ(after("missing_fines", 0.01).pressed.law.onset, 0.62);
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.size, 0.01);
@@ -191,9 +194,10 @@ TEST(PressModel, CausesDoWhatTheyAreCalled) {
   EXPECT_DOUBLE_EQ(after("plastic_contacts", 0.2).pressed.law.yielding.size, 0.06);
   EXPECT_DOUBLE_EQ(after("plastic_contacts", 0.2).pressed.law.recovery, 0.7 * (1.0 - 0.7 * 0.2));
   auto const rough = after("particle_friction", 0.1).pressed.law;
-  EXPECT_DOUBLE_EQ(rough.onset, 0.63 - 0.015);
-  EXPECT_DOUBLE_EQ(rough.radial_ratio, 0.45);
-  EXPECT_DOUBLE_EQ(rough.stiffness, 600e6 * std::exp(0.2));
+  EXPECT_DOUBLE_EQ(rough.onset, 0.63 - 0.0055);
+  EXPECT_DOUBLE_EQ(rough.radial_ratio, 0.5 - 0.074);
+  EXPECT_DOUBLE_EQ(rough.recovery, 0.7 - 0.016);
+  EXPECT_DOUBLE_EQ(rough.stiffness, 600e6);
 }
 
 TEST(CompactNumbers, AreThoseOfTheCompact) {
