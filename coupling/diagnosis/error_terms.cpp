@@ -49,10 +49,13 @@ MatrixXd sensor_covariance(Observations const& observations,
   for (std::size_t b = 0; b < of_blocks.size(); ++b) {
     auto const [first, n] = observations.rows()[b];
     auto const& error = of_blocks[b];
-    VectorXd const sd =
+    auto const& block = observations.blocks()[b];
+    VectorXd sd =
         (error.sd * error.sd + (error.sd_relative * predicted.segment(first, n).array()).square())
             .sqrt() /
-        std::sqrt(observations.blocks()[b].n_repeats);
+        std::sqrt(block.n_repeats);
+    if (block.n_readings.size() > 0)
+      sd.array() /= block.n_readings.array().sqrt();
     for (Index i = 0; i < n; ++i)
       for (Index k = 0; k < n; ++k)
         sum(first + i, first + k) =

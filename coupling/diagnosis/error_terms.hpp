@@ -13,7 +13,7 @@ namespace coupling::diagnosis {
 /// A channel's instrument.
 struct ChannelError {
   std::string channel;
-  double sd;                ///< of a single value, >= 0 [unit]
+  double sd;                ///< of a single reading, >= 0 [unit]
   double sd_relative = 0.0; ///< over |prediction|, added in quadrature
   double correlation = 0.0; ///< between neighbouring rows of a block (a filtered cell), 0 to 1
   bool has_kink = false;    ///< a force or pressure that starts and ends with the contact
@@ -31,7 +31,8 @@ struct NumericalError {
 std::vector<ChannelError> errors_of_blocks(Observations const& observations,
                                            std::vector<ChannelError> const& channels);
 
-/// Sensor:  sd_i sd_k rho^|i - k| / n_repeats inside a block,  sd_i^2 = sd^2 + (sd_relative f_i)^2.
+/// Sensor:  sd_i sd_k rho^|i - k| / n_repeats inside a block,
+///   sd_i^2 = (sd^2 + (sd_relative f_i)^2) / n_readings_i.
 Eigen::MatrixXd sensor_covariance(Observations const& observations,
                                   std::vector<ChannelError> const& of_blocks,
                                   Eigen::VectorXd const& predicted);

@@ -21,6 +21,7 @@ struct ChannelBlock {
   Phase phase = Phase::loading;
   Eigen::VectorXd coordinate{}; ///< how far the phase has gone, 0 to 1, never falling, [n]
   Eigen::VectorXd values{};     ///< measured, [n] [unit of the channel]
+  Eigen::VectorXd n_readings{}; ///< readings whose mean each row is, [n]; empty: one each
   int n_repeats = 1;          ///< repeats of the run whose mean `values` is
 };
 

@@ -13,15 +13,14 @@ using diagnosis::HeldOutPrediction;
 using diagnosis::HeldOutRun;
 
 HeldOutRuns::HeldOutRuns(measured::MeasuredData const& data,
-                         diagnosis::ErrorSources const& sources)
-    : tolerances_(sources.tolerances) {
+                         diagnosis::ErrorSources const& sources, reduced::BedFit const& fit)
+    : tolerances_(sources.tolerances), fit_(fit) {
   for (auto const& run : data.runs) {
     if (run.role != measured::Role::held_out)
       continue;
     auto alone = data;
     alone.runs = {run};
     auto rows = reduced::measured_rows(alone, measured::Role::held_out);
-    // Rows are means of as many readings as this run has; shares of the model as for the others.
     for (auto& channel : rows.channels) {
       auto const known =
           std::ranges::find(sources.channels, channel.channel, &ChannelError::channel);
@@ -39,7 +38,7 @@ HeldOutRun HeldOutRuns::compared(Run const& run, FittedPress const& before,
     auto const model = press.model.with_plan(run.plan);
     diagnosis::ErrorSources const sources{
         .channels = run.channels,
-        .numerical = {.bias = {}, .covariance = reduced::numerical_covariance(model)},
+        .numerical = {.bias = {}, .covariance = reduced::numerical_covariance(model, fit_)},
         .tolerances = tolerances_};
     auto const errors = error_model(run.observations, model, sources, press.at, press.active);
     return HeldOutPrediction{.value = model.predict(press.at) + errors.bias,

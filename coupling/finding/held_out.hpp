@@ -3,6 +3,7 @@
 #include "coupling/finding/finding_of.hpp"
 #include "coupling/measured/measured_data.hpp"
 #include "coupling/reduced/measured_plan.hpp"
+#include "coupling/reduced/bed_fit.hpp"
 #include "coupling/reduced/press_model.hpp"
 
 namespace coupling::finding {
@@ -18,7 +19,9 @@ struct FittedPress {
 class HeldOutRuns {
 public:
   /// @param sources  of the fitted runs: shares and tolerances are taken over
-  HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSources const& sources);
+  /// @param fit      of the simulation that the presses stand for
+  HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSources const& sources,
+              reduced::BedFit const& fit);
 
   bool empty() const { return runs_.empty(); }
   std::vector<diagnosis::HeldOutRun> compared(FittedPress const& before,
@@ -35,6 +38,7 @@ private:
                                  FittedPress const& after) const;
   std::vector<Run> runs_;
   diagnosis::Tolerances tolerances_;
+  reduced::BedFit fit_;
 };
 
 } // namespace coupling::finding

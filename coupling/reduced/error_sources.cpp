@@ -8,11 +8,16 @@ namespace {
 
 using diagnosis::ChannelError;
 using Eigen::Index;
+using diagnosis::Phase;
 using Eigen::MatrixXd;
+using Eigen::VectorXd;
 
 /// Radial pressure of a bed of grains scatters along the wall; the ejection of a compact hangs on a
 /// friction at rest that no press run tells.
 constexpr double radial_share = 0.005, ejection_share = 0.15;
+
+/// Of opening, in which the friction of the wall turns round and curves bend most [m].
+constexpr double turn_length = 0.25e-3;
 
 /// Share of the prediction that the simulator and its emulator may be wrong by.
 double share_of(std::string const& channel, BedFit const& fit, double declared) {
@@ -30,9 +35,38 @@ double share_of(std::string const& channel, BedFit const& fit, double declared) 
   return channel == "compact_mass" || channel == "compact_diameter" ? 0.0 : declared;
 }
 
+/// Share of the largest value that the emulator misses in a row.
+double missed_share(PlannedRun const& run, PlannedBlock const& block, RowNodes const& row,
+                    BedFit const& fit) {
+  if (block.phase == Phase::after || block.phase == Phase::dwell)
+    return 0.0;
+  bool const is_upper = block.channel == "upper_punch_force";
+  if (block.phase == Phase::loading)
+    return is_upper ? fit.loading_upper.rms : fit.loading_lower.rms;
+  auto const& missed = is_upper ? fit.unloading_upper : fit.unloading_lower;
+  auto const turning = turning_of(run.course);
+  double const opened = run.course.at(run.times[row.places[0]]) - turning.gap;
+  return opened < turn_length ? missed.largest : missed.rms;
+}
+
+/// What the emulator misses of its simulation, a standard deviation a row.
+VectorXd missed_by_emulator(PressPlan const& plan, VectorXd const& rows, BedFit const& fit) {
+  VectorXd missed(rows.size());
+  Index row = 0;
+  for (auto const& run : plan.runs)
+    for (auto const& block : run.blocks) {
+      auto const n = static_cast<Index>(block.rows.size());
+      double const largest = rows.segment(row, n).cwiseAbs().maxCoeff();
+      for (auto const& nodes : block.rows)
+        missed[row++] = largest * missed_share(run, block, nodes, fit);
+    }
+  return missed;
+}
+
 } // namespace
 
-MatrixXd numerical_covariance(PressModel const& model, BedUncertainty const& uncertainty) {
+MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
+                              BedUncertainty const& uncertainty) {
   auto const nominal = model.press_at(nominal_parameters(model));
   auto const at_nominal = predict_plan(nominal, model.plan());
   MatrixXd changes(at_nominal.size(), 4);
@@ -46,7 +80,9 @@ MatrixXd numerical_covariance(PressModel const& model, BedUncertainty const& unc
   vary([&](BedLaw& law) { law.recovery *= 1.0 - uncertainty.recovery; });
   vary([&](BedLaw& law) { law.wall_friction *= 1.0 + uncertainty.wall_friction; });
   vary([&](BedLaw& law) { law.radial_ratio *= 1.0 + uncertainty.radial_ratio; });
-  return changes * changes.transpose();
+  MatrixXd covariance = changes * changes.transpose();
+  covariance.diagonal() += missed_by_emulator(model.plan(), at_nominal, fit).array().square().matrix();
+  return covariance;
 }
 
 diagnosis::ErrorSources error_sources(PressModel const& model, std::vector<ChannelError> channels,
@@ -55,7 +91,7 @@ diagnosis::ErrorSources error_sources(PressModel const& model, std::vector<Chann
   for (auto& channel : sources.channels)
     if (!channel.model_share)
       channel.model_share = share_of(channel.channel, fit, sources.tolerances.model_share);
-  sources.numerical.covariance = numerical_covariance(model, uncertainty);
+  sources.numerical.covariance = numerical_covariance(model, fit, uncertainty);
   return sources;
 }
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <set>
 
 namespace coupling::reduced {
 namespace {
@@ -147,12 +148,11 @@ public:
   }
 
   MeasuredRows take() {
-    for (auto const& [channel, sums] : numbers_) {
+    for (auto const& channel : used_) {
       auto const* const described = data_->channel(channel);
-      double const n = sums.first / static_cast<double>(sums.second);
       rows_.channels.push_back({.channel = channel,
-                                .sd = described->sd / std::sqrt(n),
-                                .sd_relative = described->sd_relative / std::sqrt(n),
+                                .sd = described->sd,
+                                .sd_relative = described->sd_relative,
                                 .has_kink = true});
     }
     return std::move(rows_);
@@ -171,16 +171,16 @@ private:
       return;
     auto const n = static_cast<Eigen::Index>(means.size());
     diagnosis::ChannelBlock block{.run = run.file, .channel = channel, .phase = phase};
-    block.coordinate = Eigen::VectorXd(n), block.values = Eigen::VectorXd(n);
+    block.coordinate = block.values = block.n_readings = Eigen::VectorXd(n);
     double const start = means.front().time, length = means.back().time - start;
     moments.emplace_back();
-    auto& [sum, count] = numbers_[channel];
+    used_.insert(channel);
     for (Eigen::Index k = 0; k < n; ++k) {
       auto const& mean = means[static_cast<std::size_t>(k)];
       block.coordinate[k] = length > 0.0 ? (mean.time - start) / length : 0.0;
       block.values[k] = mean.value;
       moments.back().push_back({mean.time - mean.spread, mean.time + mean.spread});
-      sum += static_cast<double>(mean.n), ++count;
+      block.n_readings[k] = static_cast<double>(mean.n);
     }
     rows_.blocks.push_back(std::move(block));
     planned.blocks.push_back({.channel = channel, .phase = phase, .rows = {}});
@@ -210,7 +210,7 @@ private:
   MeasuredData const* data_;
   Binning binning_;
   MeasuredRows rows_;
-  std::map<std::string, std::pair<double, std::size_t>> numbers_; ///< readings and rows
+  std::set<std::string> used_; ///< channels of curves
 };
 
 } // namespace

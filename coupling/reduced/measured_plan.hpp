@@ -16,7 +16,7 @@ struct Binning {
 struct MeasuredRows {
   PressPlan plan;
   std::vector<diagnosis::ChannelBlock> blocks;   ///< the same blocks in the same order
-  std::vector<diagnosis::ChannelError> channels; ///< sd of a row, not of a reading
+  std::vector<diagnosis::ChannelError> channels; ///< as the laboratory states them
   std::vector<std::string> left_out;             ///< what was measured and is not used, in words
 };
 

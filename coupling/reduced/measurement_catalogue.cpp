@@ -15,6 +15,7 @@ using diagnosis::Phase;
 using measured::PressProtocol;
 
 constexpr std::size_t n_stroke_rows = 12, n_dwell_rows = 6;
+constexpr double readings_a_row = 20.0;
 constexpr double minute = 60.0;
 
 /// A measurement in words and as what is pressed and read.
@@ -35,6 +36,8 @@ void add_rows(PlannedRun& run, std::vector<diagnosis::ChannelBlock>& blocks,
   diagnosis::ChannelBlock block{.run = run.name, .channel = channel, .phase = phase};
   block.coordinate = Eigen::VectorXd::LinSpaced(size, 0.0, 1.0);
   block.values = Eigen::VectorXd::Zero(size);
+  if (phase != Phase::after)
+    block.n_readings = Eigen::VectorXd::Constant(size, readings_a_row);
   for (std::size_t k = 0; k < n; ++k) {
     double const t = from + (to - from) * (static_cast<double>(k) + 0.5) / static_cast<double>(n);
     auto at = std::ranges::find(run.times, t);

@@ -35,7 +35,8 @@ reduced::SimulatedPress simulated() {
     cycle.radial_pressure.push_back(at.forces.radial_pressure);
   }
   auto fit = fit_bed_law(cycle, bed);
-  reduced::Press nominal{.pressed = {.law = fit.law, .bed = bed}, .solid_density = 3386.0};
+  reduced::Press nominal{
+      .pressed = {.law = fit.law, .bed = bed}, .machine = {}, .solid_density = 3386.0};
   return {.nominal = nominal,
           .sheet = {.young_modulus = 2e9, .cohesion = 3e6},
           .fit = std::move(fit)};
@@ -80,7 +81,7 @@ measured::MeasuredData laboratory(reduced::Machine const& machine) {
 }
 
 Finding diagnosed(reduced::Machine const& machine) {
-  Case const setup = parse_case("", "case.prm");
+  Case const setup = parse_case("set Title = Test\n", "case.prm");
   auto const data = laboratory(machine);
   auto const simulation = simulated();
   return CaseDiagnosis({.setup = setup, .data = data, .simulated = simulation, .provenance = {}})
