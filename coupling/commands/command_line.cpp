@@ -132,6 +132,12 @@ void declare_diagnose(CLI::App& program, Command& command) {
   app.add_option("--simulation", options->simulation,
                  "run folder of this case; without it the case is run");
   app.add_option("--seed", options->seed, "of the random draws behind p-values");
+  app.add_option("--modulus-sd", options->modulus_sd,
+                 "relative standard uncertainty of the case's Young's modulus (default 0.3)")
+      ->check(CLI::Range(1e-3, 3.0));
+  app.add_option("--cohesion-sd", options->cohesion_sd,
+                 "the same of its cohesion energy density (default 0.5)")
+      ->check(CLI::Range(1e-3, 3.0));
   app.add_flag("--quick", options->is_quick, "do not run the extended case");
   app.add_flag("--force", options->overwrite, "write into a folder that is not empty");
   app.add_option("--threads", options->threads, "number of threads (results do not depend on it)")

@@ -126,7 +126,9 @@ int diagnose(DiagnoseOptions const& options) {
   if (options.simulation.empty())
     if (int const status = simulate(options.choice, data, simulation, options); status != done)
       return status;
-  auto const simulated = reduced::simulated_press(simulation);
+  auto simulated = reduced::simulated_press(simulation);
+  simulated.sheet.young_modulus_sd = options.modulus_sd;
+  simulated.sheet.cohesion_sd = options.cohesion_sd;
   finding::CaseQuestion question{.setup = setup,
                                  .data = data,
                                  .simulated = simulated,

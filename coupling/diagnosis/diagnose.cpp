@@ -101,7 +101,8 @@ Diagnosis diagnose(Observations const& observations, Model const& model,
                          .selection = selected.selection,
                          .library = selected.library,
                          .null_sizes = sources.null_sizes,
-                         .null_multiple = sources.tolerances.null_multiple},
+                         .null_multiple = sources.tolerances.null_multiple,
+                         .comparison = &selected.weighed.comparison},
                         settings.rules);
   auto estimates = selected.selection.hypotheses.empty()
                        ? std::vector<CauseEstimate>{}

@@ -34,6 +34,14 @@ Hypothesis const& best_cause(Selection const& selection) {
                                [](Hypothesis const& one) { return !one.fit.active.empty(); });
 }
 
+VectorXd whitened_effect(Findings const& findings, Fit const& fit, int mechanism) {
+  if (findings.comparison)
+    return findings.comparison->whitener.whiten(
+        change_by(findings.model, fit.at, mechanism, fit.residual.size()));
+  auto const& own = findings.library.signatures[static_cast<std::size_t>(mechanism)];
+  return fit.at.sizes[mechanism] / own.scale * own.whitened.col(0);
+}
+
 /// Rivals that imitate one cause of the best hypothesis while its other causes stay.
 std::vector<int> rivals_of(Findings const& findings, Fit const& fit, int mechanism, double below) {
   Unknowns const unknowns(findings.model, fit.active, SizePriors::physical);
@@ -44,8 +52,7 @@ std::vector<int> rivals_of(Findings const& findings, Fit const& fit, int mechani
     if (j != mechanism)
       kept.push_back(unknowns.place_of_size(j));
   TangentSpace const others(fit.slopes(Eigen::all, kept));
-  auto const& own = findings.library.signatures[static_cast<std::size_t>(mechanism)];
-  VectorXd const effect = others.project(fit.at.sizes[mechanism] / own.scale * own.whitened.col(0));
+  VectorXd const effect = others.project(whitened_effect(findings, fit, mechanism));
   std::vector<int> rivals;
   for (int j = 0; j < static_cast<int>(findings.library.signatures.size()); ++j) {
     if (std::ranges::count(fit.active, j) > 0)

@@ -56,6 +56,9 @@ struct Findings {
   SignatureLibrary const& library;   ///< under the Sigma of the selection
   Eigen::VectorXd const& null_sizes; ///< r.m.s. on clean data, empty = none
   double null_multiple;
+  /// With it a cause's effect is what its fitted size does; without, its signature times its size,
+  /// which is less for an effect that goes with a power of its size.
+  Comparison const* comparison = nullptr;
 };
 
 /// No alarm: consistent, or a parameter's value. An alarm: the most probable set of causes,

@@ -86,11 +86,12 @@ void particle_friction(Press& press, double a, VectorXd const& shapes) {
   law.recovery = std::max(law.recovery - 0.16 * a, 0.05);
   law.stiffness *= std::exp(shapes[0] * a);
 }
-/// Contacts that yield: softer above a stress, and less given back.
+/// Contacts that yield: softer above a stress, less given back, and that on a straighter way.
 void plastic_contacts(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
   law.yielding = {.size = 0.3 * a, .stress = shapes[0] * MPa};
   law.recovery *= std::max(1.0 - shapes[1] * a, 0.05);
+  law.opening *= std::exp(-shapes[2] * a);
 }
 void breakage(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
@@ -129,7 +130,7 @@ std::vector<Cause> const& known_causes() {
       cause("force_offset", "N", 100.0, both, machine, force_offset),
       cause("force_lag", "s", 1.5, positive, machine, force_lag, {{"second_stage", "1", 0.25, 0.2, 0.0, 0.5}}),
       cause("thermal_drift", "m/s", 10 * um / minute, both, machine, thermal_drift,
-            {{"decay", "1/s", 3e-4, 3e-4, 0.0, 3e-3}}),
+            {{"decay", "1/s", 3e-4, 1.5e-4, 0.0, 1e-3}}),
       cause("mass_error", "1", 0.015, both, machine, mass_error),
       cause("die_size", "m", 0.08 * mm, both, machine, die_size),
       cause("punch_tilt", "m", 0.25 * mm, positive, grains, punch_tilt),
@@ -137,7 +138,7 @@ std::vector<Cause> const& known_causes() {
       cause("particle_friction", "1", 0.06, both, grains, particle_friction,
             {{"stiffening", "1", 0.0, 0.3, -3.0, 3.0}}),
       cause("plastic_contacts", "1", 0.3, positive, grains, plastic_contacts,
-            {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0}, {"kept", "1", 0.7, 0.3, 0.0, 2.0}}),
+            {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0}, {"kept", "1", 0.7, 0.3, 0.0, 2.0}, {"straighter", "1", 0.3, 0.3, -2.0, 2.0}}),
       cause("breakage", "1", 0.01, positive, grains, breakage,
             {{"crushing_stress", "MPa", 25.0, 15.0, 2.0, 200.0},
              {"weibull_modulus", "1", 2.0, 1.0, 0.7, 8.0}}),
