@@ -65,9 +65,9 @@ struct DiagnoseOptions {
   std::filesystem::path folder;     ///< empty: diagnoses/<name of the measured folder>
   std::filesystem::path simulation; ///< run folder of the case; empty: it is run
   int threads = 0;
-  std::uint64_t seed = 1; ///< of the references' draws
+  std::uint64_t seed = 1;                     ///< of the references' draws
   double modulus_sd = 0.3, cohesion_sd = 0.5; ///< of the sheet's values, relative [1]
-  bool is_quick = false;  ///< the extended case is not run: gains are the emulator's
+  bool is_quick = false; ///< the extended case is not run: gains are the emulator's
   bool overwrite = false;
   bool quiet = false;
 };

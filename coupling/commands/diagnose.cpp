@@ -121,8 +121,7 @@ int diagnose(DiagnoseOptions const& options) {
   auto const data = measured::read_measured(options.measured);
   auto const folder = folder_of(options);
   check_run_folder(folder, options.overwrite);
-  auto const simulation =
-      options.simulation.empty() ? folder / "simulation" : options.simulation;
+  auto const simulation = options.simulation.empty() ? folder / "simulation" : options.simulation;
   if (options.simulation.empty())
     if (int const status = simulate(options.choice, data, simulation, options); status != done)
       return status;

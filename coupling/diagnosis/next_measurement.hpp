@@ -11,7 +11,7 @@ namespace coupling::diagnosis {
 /// height, a balance.
 struct CandidateMeasurement {
   std::string name, unit;
-  double cost;              ///< > 0, any unit that is the same for all
+  double cost;                ///< > 0, any unit that is the same for all
   Eigen::VectorXd baseline{}; ///< prediction of the fitted baseline, [n] [unit]
   Eigen::MatrixXd
       calibrated{}; ///< change by one prior sd of each calibrated parameter, n x n_calibrated

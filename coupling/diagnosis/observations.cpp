@@ -27,10 +27,11 @@ void validate(ChannelBlock const& block) {
                          "phase cut where it ends?",
                          label, k + 1, s));
   }
-  VALIDATE(block.n_readings.size() == 0 || (block.n_readings.size() == block.values.size() &&
-                                            (block.n_readings.array() >= 1.0).all()),
-           fmt::format("{}: numbers of readings are {} for {} values, or below 1. One for each row?",
-                       label, block.n_readings.size(), block.values.size()));
+  VALIDATE(
+      block.n_readings.size() == 0 || (block.n_readings.size() == block.values.size() &&
+                                       (block.n_readings.array() >= 1.0).all()),
+      fmt::format("{}: numbers of readings are {} for {} values, or below 1. One for each row?",
+                  label, block.n_readings.size(), block.values.size()));
   VALIDATE(block.n_repeats >= 1, fmt::format("{}: is the mean of {} repeats. How many were there?",
                                              label, block.n_repeats));
 }

@@ -22,7 +22,7 @@ struct ChannelBlock {
   Eigen::VectorXd coordinate{}; ///< how far the phase has gone, 0 to 1, never falling, [n]
   Eigen::VectorXd values{};     ///< measured, [n] [unit of the channel]
   Eigen::VectorXd n_readings{}; ///< readings whose mean each row is, [n]; empty: one each
-  int n_repeats = 1;          ///< repeats of the run whose mean `values` is
+  int n_repeats = 1;            ///< repeats of the run whose mean `values` is
 };
 
 /// Where a block stands among the stacked rows.

@@ -24,7 +24,8 @@ CaseDiagnosis::CaseDiagnosis(CaseQuestion const& question)
       model_(model_of(question, rows_.plan)), observations_(rows_.blocks),
       sources_(error_sources(model_, rows_.channels, question.simulated.fit)),
       found_(diagnose(observations_, model_, sources_, question.settings)),
-      held_out_(question.data, sources_, question.simulated.fit), named_(claimed_hypothesis(found_)) {
+      held_out_(question.data, sources_, question.simulated.fit),
+      named_(claimed_hypothesis(found_)) {
   if (!can_gain())
     return;
   auto const before = calibrated_press(), after = extended_press(*named_);

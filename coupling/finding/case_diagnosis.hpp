@@ -18,8 +18,8 @@ struct CaseQuestion {
   diagnosis::DiagnosisSettings settings = {};
 };
 
-/// Measured data against a simulation of the case: the whole way from measured runs to a verdict and,
-/// where runs are held out, to the gain. What the question refers to outlives it.
+/// Measured data against a simulation of the case: the whole way from measured runs to a verdict
+/// and, where runs are held out, to the gain. What the question refers to outlives it.
 class CaseDiagnosis {
 public:
   /// @throws dem::InvalidInput as its parts do

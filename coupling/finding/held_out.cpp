@@ -12,8 +12,8 @@ using diagnosis::ChannelError;
 using diagnosis::HeldOutPrediction;
 using diagnosis::HeldOutRun;
 
-HeldOutRuns::HeldOutRuns(measured::MeasuredData const& data,
-                         diagnosis::ErrorSources const& sources, reduced::BedFit const& fit)
+HeldOutRuns::HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSources const& sources,
+                         reduced::BedFit const& fit)
     : tolerances_(sources.tolerances), fit_(fit) {
   for (auto const& run : data.runs) {
     if (run.role != measured::Role::held_out)

@@ -2,8 +2,8 @@
 
 #include "coupling/finding/finding_of.hpp"
 #include "coupling/measured/measured_data.hpp"
-#include "coupling/reduced/measured_plan.hpp"
 #include "coupling/reduced/bed_fit.hpp"
+#include "coupling/reduced/measured_plan.hpp"
 #include "coupling/reduced/press_model.hpp"
 
 namespace coupling::finding {

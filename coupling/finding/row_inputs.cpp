@@ -11,9 +11,8 @@ using Eigen::VectorXd;
 
 double time_of(reduced::PlannedRun const& run, reduced::PlannedBlock const& block,
                reduced::RowNodes const& row) {
-  return block.phase == Phase::after
-             ? turning_of(run.course).closed
-             : 0.5 * (run.times[row.places[0]] + run.times[row.places[1]]);
+  return block.phase == Phase::after ? turning_of(run.course).closed
+                                     : 0.5 * (run.times[row.places[0]] + run.times[row.places[1]]);
 }
 
 /// A number for every row.

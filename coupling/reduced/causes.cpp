@@ -14,8 +14,8 @@ constexpr double um = 1e-6, mm = 1e-3, kN = 1e3, MPa = 1e6, minute = 60.0;
 
 enum class Sign { both, positive };
 
-Cause cause(char const* name, char const* unit, double scale, Sign sign,
-            Side side, void (*apply)(Press&, double, VectorXd const&),
+Cause cause(char const* name, char const* unit, double scale, Sign sign, Side side,
+            void (*apply)(Press&, double, VectorXd const&),
             std::vector<ShapeParameter> shapes = {}) {
   return {.mechanism = {.name = name,
                         .unit = unit,
@@ -128,7 +128,8 @@ std::vector<Cause> const& known_causes() {
       cause("gap_offset", "m", 0.1 * mm, both, machine, gap_offset),
       cause("force_gain", "1", 0.04, both, machine, force_gain),
       cause("force_offset", "N", 100.0, both, machine, force_offset),
-      cause("force_lag", "s", 1.5, positive, machine, force_lag, {{"second_stage", "1", 0.25, 0.2, 0.0, 0.5}}),
+      cause("force_lag", "s", 1.5, positive, machine, force_lag,
+            {{"second_stage", "1", 0.25, 0.2, 0.0, 0.5}}),
       cause("thermal_drift", "m/s", 10 * um / minute, both, machine, thermal_drift,
             {{"decay", "1/s", 3e-4, 1.5e-4, 0.0, 1e-3}}),
       cause("mass_error", "1", 0.015, both, machine, mass_error),
@@ -138,7 +139,9 @@ std::vector<Cause> const& known_causes() {
       cause("particle_friction", "1", 0.06, both, grains, particle_friction,
             {{"stiffening", "1", 0.0, 0.3, -3.0, 3.0}}),
       cause("plastic_contacts", "1", 0.3, positive, grains, plastic_contacts,
-            {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0}, {"kept", "1", 0.7, 0.3, 0.0, 2.0}, {"straighter", "1", 0.3, 0.3, -2.0, 2.0}}),
+            {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0},
+             {"kept", "1", 0.7, 0.3, 0.0, 2.0},
+             {"straighter", "1", 0.3, 0.3, -2.0, 2.0}}),
       cause("breakage", "1", 0.01, positive, grains, breakage,
             {{"crushing_stress", "MPa", 25.0, 15.0, 2.0, 200.0},
              {"weibull_modulus", "1", 2.0, 1.0, 0.7, 8.0}}),
@@ -148,7 +151,8 @@ std::vector<Cause> const& known_causes() {
       cause("fill_state", "1", 0.008, both, grains, fill_state,
             {{"filling_stress", "MPa", 2.0, 1.0, 0.3, 10.0}}),
       cause("die_compliance", "m/Pa", 0.5 * um / MPa, positive, machine, die_compliance),
-      cause("multi_contact", "1", 0.3, positive, grains, multi_contact, {{"power", "1", 3.0, 1.0, 1.0, 8.0}})};
+      cause("multi_contact", "1", 0.3, positive, grains, multi_contact,
+            {{"power", "1", 3.0, 1.0, 1.0, 8.0}})};
   return all;
 }
 

@@ -33,7 +33,8 @@ FreeCompact compact_of(Press const& press, std::vector<ChainReading> const& cycl
 }
 
 constexpr Number numbers[] = {
-    {"compact_height", [](auto const& press, auto const& cycle) { return compact_of(press, cycle).height; }},
+    {"compact_height",
+     [](auto const& press, auto const& cycle) { return compact_of(press, cycle).height; }},
     {"compact_diameter", [](auto const& press, auto const&) { return press.pressed.bed.bore; }},
     {"compact_mass", [](auto const& press, auto const&) { return mass_of(press); }},
     {"porosity",

@@ -7,8 +7,8 @@ namespace coupling::reduced {
 namespace {
 
 using diagnosis::ChannelError;
-using Eigen::Index;
 using diagnosis::Phase;
+using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -81,7 +81,8 @@ MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
   vary([&](BedLaw& law) { law.wall_friction *= 1.0 + uncertainty.wall_friction; });
   vary([&](BedLaw& law) { law.radial_ratio *= 1.0 + uncertainty.radial_ratio; });
   MatrixXd covariance = changes * changes.transpose();
-  covariance.diagonal() += missed_by_emulator(model.plan(), at_nominal, fit).array().square().matrix();
+  covariance.diagonal() +=
+      missed_by_emulator(model.plan(), at_nominal, fit).array().square().matrix();
   return covariance;
 }
 

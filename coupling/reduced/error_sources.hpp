@@ -15,8 +15,8 @@ struct BedUncertainty {
   double radial_ratio = 0.01;  ///< [1], relative
 };
 
-/// Covariance of the rows of a plan at the nominal press, n_rows x n_rows: the changes by these, and
-/// for each row by itself what the emulator misses of its simulation (r.m.s. of its phase, the
+/// Covariance of the rows of a plan at the nominal press, n_rows x n_rows: the changes by these,
+/// and for each row by itself what the emulator misses of its simulation (r.m.s. of its phase, the
 /// largest departure just after the turn; README).
 Eigen::MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
                                      BedUncertainty const& uncertainty = {});

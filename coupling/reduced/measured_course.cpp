@@ -49,8 +49,8 @@ double rms_off(std::span<Reading const> readings, Line const& line) {
   return std::sqrt(sum / static_cast<double>(readings.size()));
 }
 
-/// As few straight parts as follow the readings within their noise, at most 24: a machine that keeps
-/// its speed has one, whose place is surer than any reading.
+/// As few straight parts as follow the readings within their noise, at most 24: a machine that
+/// keeps its speed has one, whose place is surer than any reading.
 Stroke stroke_of(Readings const& readings, double sd) {
   constexpr double noise = 1.3; // r.m.s. over sd from which a line is none
   Stroke stroke;
@@ -96,9 +96,8 @@ Corner corner_of(Stroke const& closing, std::optional<Stroke> const& opening, do
   Line const& up = opening->lines.front();
   if (held)
     return {*held, down.time_at(*held), up.time_at(*held)};
-  double const meet =
-      (down.level - down.slope * down.middle - up.level + up.slope * up.middle) /
-      (up.slope - down.slope);
+  double const meet = (down.level - down.slope * down.middle - up.level + up.slope * up.middle) /
+                      (up.slope - down.slope);
   return {down.gap_at(meet), meet, meet};
 }
 

@@ -40,9 +40,8 @@ void append_parts(std::vector<Part>& parts, Phase phase, Places const& places, s
 
 /// Readings of the upper force in which the bed bears, first and last by the median of five.
 std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, double share) {
-  double const least = share * *std::ranges::max_element(force, {}, [](double f) {
-    return std::isfinite(f) ? f : 0.0;
-  });
+  double const least = share * *std::ranges::max_element(
+                                   force, {}, [](double f) { return std::isfinite(f) ? f : 0.0; });
   auto const bears = [&](std::size_t k) {
     std::vector<double> near;
     for (std::size_t i = k < 2 ? 0 : k - 2; i < std::min(k + 3, force.size()); ++i)
@@ -118,8 +117,8 @@ public:
   }
 
   void add(Run const& run) {
-    PlannedRun planned{.name = run.file, .course = measured_course(*data_, run), .times = {},
-                       .blocks = {}};
+    PlannedRun planned{
+        .name = run.file, .course = measured_course(*data_, run), .times = {}, .blocks = {}};
     auto const parts = parts_of(run, planned.course, binning_);
     std::map<double, std::size_t> places;
     std::vector<std::vector<std::array<double, 2>>> moments;

@@ -20,10 +20,11 @@ struct MeasuredRows {
   std::vector<std::string> left_out;             ///< what was measured and is not used, in words
 };
 
-/// Readings of one channel in one phase are put in time's order into parts of equal number; a row is
-/// the mean of one part. Closing begins a little before the bed bears; all readings before are one
-/// row, and all after it ceases to bear one more, of the upper force alone. The course of the gap is that of the gap's own
-/// readings, smoothed likewise, with corners where its straight ends meet.
+/// Readings of one channel in one phase are put in time's order into parts of equal number; a row
+/// is the mean of one part. Closing begins a little before the bed bears; all readings before are
+/// one row, and all after it ceases to bear one more, of the upper force alone. The course of the
+/// gap is that of the gap's own readings, smoothed likewise, with corners where its straight ends
+/// meet.
 /// @param role  runs of that role
 /// @throws dem::InvalidInput if a run never closes, or none has the role
 MeasuredRows measured_rows(measured::MeasuredData const& data, measured::Role role,

@@ -58,13 +58,13 @@ struct Pressing {
 
 Pressing pressing_of(Proposal const& proposal) {
   auto const& press = proposal.press;
-  Pressing pressing{.run = {.name = proposal.name,
-                            .course = press_course(press.fill_height, press.end_gap,
-                                                   press.speed_down, press.speed_up,
-                                                   press.dwell.value_or(0.0)),
-                            .times = {},
-                            .blocks = {}},
-                    .blocks = {}};
+  Pressing pressing{
+      .run = {.name = proposal.name,
+              .course = press_course(press.fill_height, press.end_gap, press.speed_down,
+                                     press.speed_up, press.dwell.value_or(0.0)),
+              .times = {},
+              .blocks = {}},
+      .blocks = {}};
   auto const turning = turning_of(pressing.run.course);
   // Where forces are: the last fifth of the stroke.
   double const reach = 0.2 * (press.fill_height - press.end_gap);
@@ -141,8 +141,8 @@ std::vector<Proposal> proposals(measured::MeasuredData const& data) {
   pressing("a dwell of 60 s at the end gap", 3.0, [](auto& p) { p.dwell = 60.0; });
   pressing("a dwell of 600 s at the end gap", 12.0, [](auto& p) { p.dwell = 600.0; });
   pressing("a run at 25 times the speed", 2.0, [](auto& p) { p.speed_down *= 25.0; });
-  pressing("a run at a fifth of the speed", 5.0 * (base.fill_height - base.end_gap) /
-                                                base.speed_down / minute,
+  pressing("a run at a fifth of the speed",
+           5.0 * (base.fill_height - base.end_gap) / base.speed_down / minute,
            [](auto& p) { p.speed_down *= 0.2; });
   pressing("a run to an end gap 5 % larger", 3.0, [](auto& p) { p.end_gap *= 1.05; });
   return all;
@@ -168,8 +168,8 @@ CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
                                diagnosis::Parameters const& at) {
   auto pressing = pressing_of(proposal);
   sort_times(pressing.run);
-  auto const model = of.with_plan({.runs = {pressing.run},
-                                   .gap_is_of_faces = of.plan().gap_is_of_faces});
+  auto const model =
+      of.with_plan({.runs = {pressing.run}, .gap_is_of_faces = of.plan().gap_is_of_faces});
   CandidateMeasurement result{.name = proposal.name, .unit = proposal.unit, .cost = proposal.cost};
   result.baseline = model.predict(at);
   auto const n = result.baseline.size();
@@ -208,11 +208,11 @@ CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
 
 } // namespace
 
-std::vector<CandidateMeasurement>
-measurement_catalogue(PressModel const& model, measured::MeasuredData const& data,
-                      std::vector<ChannelError> const& channels,
-                      diagnosis::ErrorSources const& sources,
-                      diagnosis::Parameters const& baseline) {
+std::vector<CandidateMeasurement> measurement_catalogue(PressModel const& model,
+                                                        measured::MeasuredData const& data,
+                                                        std::vector<ChannelError> const& channels,
+                                                        diagnosis::ErrorSources const& sources,
+                                                        diagnosis::Parameters const& baseline) {
   std::vector<CandidateMeasurement> all;
   for (auto const& proposal : proposals(data))
     all.push_back(candidate(proposal, model, channels, sources, baseline));

@@ -14,6 +14,7 @@ namespace coupling::reduced {
 std::vector<diagnosis::CandidateMeasurement>
 measurement_catalogue(PressModel const& model, measured::MeasuredData const& data,
                       std::vector<diagnosis::ChannelError> const& channels,
-                      diagnosis::ErrorSources const& sources, diagnosis::Parameters const& baseline);
+                      diagnosis::ErrorSources const& sources,
+                      diagnosis::Parameters const& baseline);
 
 } // namespace coupling::reduced

@@ -124,8 +124,7 @@ void validate_cycle(PressedBed const& pressed, GapCourse const& course,
 } // namespace
 
 std::vector<ChainReading> press_cycle(PressedBed const& pressed, Machine const& machine,
-                                      GapCourse const& course,
-                                      std::vector<double> const& samples) {
+                                      GapCourse const& course, std::vector<double> const& samples) {
   validate_cycle(pressed, course, samples);
   std::vector<ChainReading> readings;
   if (samples.empty())

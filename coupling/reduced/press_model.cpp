@@ -26,10 +26,9 @@ Index predict_run(Press const& press, PlannedRun const& run, Index row, VectorXd
   auto const cycle = press_cycle(press.pressed, press.machine, run.course, run.times);
   for (auto const& block : run.blocks)
     for (auto const& [places] : block.rows)
-      rows[row++] = block.phase == Phase::after
-                        ? compact_number(block.channel, press, cycle)
-                        : 0.5 * (value_of(cycle[places[0]], block.channel) +
-                                 value_of(cycle[places[1]], block.channel));
+      rows[row++] = block.phase == Phase::after ? compact_number(block.channel, press, cycle)
+                                                : 0.5 * (value_of(cycle[places[0]], block.channel) +
+                                                         value_of(cycle[places[1]], block.channel));
   return row;
 }
 

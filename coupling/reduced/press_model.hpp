@@ -7,8 +7,8 @@ namespace coupling::reduced {
 
 /// What the case says of a powder's two calibrated numbers, and how sure it is.
 struct Sheet {
-  double young_modulus;         ///< E [Pa] of the simulation that the bed's law was fitted to
-  double cohesion;              ///< cohesion energy density of that simulation [J/m^3]; 0: none
+  double young_modulus;          ///< E [Pa] of the simulation that the bed's law was fitted to
+  double cohesion;               ///< cohesion energy density of that simulation [J/m^3]; 0: none
   double young_modulus_sd = 0.3; ///< of ln E
   double cohesion_sd = 0.5;      ///< of ln CED
 };

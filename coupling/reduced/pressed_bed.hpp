@@ -6,8 +6,8 @@ namespace coupling::reduced {
 
 /// How stress goes with the speed of pressing: every e-fold of strain rate adds the share a,
 ///   s = s_0 (1 + a L),   L = ln(1 + e / e_0)
-/// with e the rate of strain while the bed closes. In a dwell of the time t the rate that is left is
-/// that of a memory m, e = 1 / (1/e_closing + t/m): a relaxation that goes with ln t. As the bed
+/// with e the rate of strain while the bed closes. In a dwell of the time t the rate that is left
+/// is that of a memory m, e = 1 / (1/e_closing + t/m): a relaxation that goes with ln t. As the bed
 /// opens L turns to -ln(1 + e_opening / e_0), over the length that the opening takes to forget.
 struct RateLaw {
   double gain = 0.0;       ///< a [1]
@@ -37,8 +37,9 @@ struct PressedBed {
 double rate_factor(RateLaw const& law, PressMoment const& moment, double height);
 
 /// Forces at the height h in the middle when the smallest height so far is h_m <= h.
-/// Tilt: the mean over the face, each strip pressed on its own: a disc's mean over x = cos(theta) by
-/// Gauss-Chebyshev points of the second kind. Die: the bore D + a p(D), two rounds of substitution.
+/// Tilt: the mean over the face, each strip pressed on its own: a disc's mean over x = cos(theta)
+/// by Gauss-Chebyshev points of the second kind. Die: the bore D + a p(D), two rounds of
+/// substitution.
 BedForces forces(PressedBed const& pressed, double height, double smallest_height,
                  PressMoment const& moment = {});
 

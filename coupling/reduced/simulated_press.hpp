@@ -16,8 +16,8 @@ struct SimulatedPress {
   BedFit fit;
 };
 
-/// The law of the bed that a run folder holds: case.resolved.prm, curves.csv, and the grains of run.h5
-/// for the volume of the solid (without it the case's masses over densities).
+/// The law of the bed that a run folder holds: case.resolved.prm, curves.csv, and the grains of
+/// run.h5 for the volume of the solid (without it the case's masses over densities).
 /// @throws dem::InvalidInput if something is missing or is no press cycle
 SimulatedPress simulated_press(std::filesystem::path const& run_folder);
 

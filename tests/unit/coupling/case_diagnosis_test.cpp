@@ -37,9 +37,8 @@ reduced::SimulatedPress simulated() {
   auto fit = fit_bed_law(cycle, bed);
   reduced::Press nominal{
       .pressed = {.law = fit.law, .bed = bed}, .machine = {}, .solid_density = 3386.0};
-  return {.nominal = nominal,
-          .sheet = {.young_modulus = 2e9, .cohesion = 3e6},
-          .fit = std::move(fit)};
+  return {
+      .nominal = nominal, .sheet = {.young_modulus = 2e9, .cohesion = 3e6}, .fit = std::move(fit)};
 }
 
 /// A pressing in a machine with its errors, read with noise.
@@ -68,16 +67,17 @@ measured::Run pressing(std::string const& file, measured::Role role, double end_
 
 measured::MeasuredData laboratory(reduced::Machine const& machine) {
   std::mt19937 draw(7);
-  return {.sample = {.mass = {bed.solid_area * 3386.0 * 0.25 * std::acos(-1.0) * bed.bore * bed.bore,
-                              1e-5},
-                     .die_diameter = {bed.bore, 5e-6}},
-          .channels = {{.name = "punch_gap", .unit = "m", .sd = 2e-6},
-                       {.name = "upper_punch_force", .unit = "N", .sd = 12.0},
-                       {.name = "lower_punch_force", .unit = "N", .sd = 12.0}},
-          .gap_source = measured::GapSource::commanded,
-          .runs = {pressing("run1.csv", measured::Role::fit, 8e-3, 1.7e-5, machine, draw),
-                   pressing("run2.csv", measured::Role::held_out, 7.7e-3, 1.7e-5, machine, draw),
-                   pressing("run3.csv", measured::Role::held_out, 8.2e-3, 8e-5, machine, draw)}};
+  return {
+      .sample = {.mass = {bed.solid_area * 3386.0 * 0.25 * std::acos(-1.0) * bed.bore * bed.bore,
+                          1e-5},
+                 .die_diameter = {bed.bore, 5e-6}},
+      .channels = {{.name = "punch_gap", .unit = "m", .sd = 2e-6},
+                   {.name = "upper_punch_force", .unit = "N", .sd = 12.0},
+                   {.name = "lower_punch_force", .unit = "N", .sd = 12.0}},
+      .gap_source = measured::GapSource::commanded,
+      .runs = {pressing("run1.csv", measured::Role::fit, 8e-3, 1.7e-5, machine, draw),
+               pressing("run2.csv", measured::Role::held_out, 7.7e-3, 1.7e-5, machine, draw),
+               pressing("run3.csv", measured::Role::held_out, 8.2e-3, 8e-5, machine, draw)}};
 }
 
 Finding diagnosed(reduced::Machine const& machine) {

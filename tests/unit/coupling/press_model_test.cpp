@@ -93,8 +93,7 @@ TEST(MeasuredRows, AreForetoldByThePressThatMadeThem) {
     for (std::size_t b = 0; b < rows.blocks.size(); ++b) {
       auto const [first, n] = observations.rows()[b];
       double const largest = rows.blocks[b].values.cwiseAbs().maxCoeff();
-      double const off =
-          (rows.blocks[b].values - foretold.segment(first, n)).cwiseAbs().maxCoeff();
+      double const off = (rows.blocks[b].values - foretold.segment(first, n)).cwiseAbs().maxCoeff();
       // The row in which the bed begins to bear, or the wall turns round, is no parabola.
       EXPECT_LT(off, 4e-3 * largest) << label_of(rows.blocks[b]);
     }
@@ -128,8 +127,9 @@ TEST(PressModel, CalibratesStiffnessAndCohesion) {
   EXPECT_EQ(model.press_at(at).pressed.law.cohesion, 0.0);
 }
 
-/// Every cause, at three prior sizes (a tilt shows by its square), moves some row by more than 5 standard uncertainties of its
-/// instrument; every shape parameter counts; at size 0 nothing is there.
+/// Every cause, at three prior sizes (a tilt shows by its square), moves some row by more than 5
+/// standard uncertainties of its instrument; every shape parameter counts; at size 0 nothing is
+/// there.
 TEST(PressModel, EveryCauseIsLive) {
   auto data = laboratory(press(), 60.0);
   auto const rows = measured_rows(data, measured::Role::fit);
@@ -143,9 +143,8 @@ TEST(PressModel, EveryCauseIsLive) {
     at.sizes[place] = 3.0 * mechanism.scale;
     auto const moved = model.predict(at);
     // Upper and lower forces come first; radial pressure in Pa would say nothing here.
-    auto const n_upper = static_cast<Eigen::Index>(rows.blocks[0].values.size() +
-                                                   rows.blocks[1].values.size() +
-                                                   rows.blocks[2].values.size());
+    auto const n_upper = static_cast<Eigen::Index>(
+        rows.blocks[0].values.size() + rows.blocks[1].values.size() + rows.blocks[2].values.size());
     EXPECT_GT((moved - base).head(n_upper).cwiseAbs().maxCoeff(), 5.0 * instrument)
         << mechanism.name;
     for (std::size_t s = 0; s < mechanism.shapes.size(); ++s) {

@@ -168,7 +168,10 @@ TEST(PressChain, RefusesWhatMakesNoPress) {
       message([] { press_course(20e-3, 8e-3, -0.2, 0.2); }),
       "press course: from 0.02 to 0.008 m at -0.2 and 0.2 m/s with a dwell of 0 s. Are speeds "
       "positive, and the fill height above the end gap?");
-  EXPECT_EQ(message([] { press_cycle({.law = law, .bed = bed}, {.frame = {.gap_offset = -9e-3}}, course, {0.06}); }),
+  EXPECT_EQ(message([] {
+              press_cycle({.law = law, .bed = bed}, {.frame = {.gap_offset = -9e-3}}, course,
+                          {0.06});
+            }),
             "gap course: the faces meet at 0.06 s. Is the gap offset (-0.009 m) right?");
   EXPECT_EQ(message([] {
               press_cycle({.law = law, .bed = bed}, {}, course, {0.1, 0.1});
