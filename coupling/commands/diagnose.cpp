@@ -10,6 +10,7 @@
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -74,6 +75,17 @@ int simulate(CaseChoice choice, measured::MeasuredData const& data, fs::path con
                          .is_new = true});
 }
 
+/// `frame_compliance: 2e-08 m/N (1.8e-08 to 2.2e-08), probability 0.97`
+std::string in_words(finding::FoundCause const& cause) {
+  std::string words = cause.name;
+  if (!cause.parameters.empty()) {
+    auto const& size = cause.parameters.front();
+    words += fmt::format(": {:.3g} {} ({:.3g} to {:.3g})", size.value,
+                         size.unit == "1" ? "" : size.unit, size.low, size.high);
+  }
+  return words + fmt::format(", probability {:.2g}", cause.probability);
+}
+
 /// What was found, as files and in words.
 void publish(finding::Finding found, Case const& setup, fs::path const& folder) {
   auto const extended = extended_case(setup, found);
@@ -86,6 +98,14 @@ void publish(finding::Finding found, Case const& setup, fs::path const& folder) 
   std::cout << "verdict: " << found.verdict << (found.is_incomplete ? " (incomplete)" : "") << '\n';
   for (auto const& sentence : found.sentences)
     std::cout << "  " << sentence << '\n';
+  for (auto const& cause : named_causes(found))
+    std::cout << "  " << in_words(cause) << '\n';
+  if (!found.group.empty())
+    std::cout << fmt::format("  one of: {}\n", fmt::join(found.group, ", "));
+  if (!found.measurements.empty())
+    std::cout << fmt::format(
+        "  measure next: {}{}\n", found.measurements.front().name,
+        found.measurements.front().is_enough ? "" : " (it will not tell all apart)");
   for (auto const& sentence : extended.not_modelled)
     std::cout << "  not in the extended case: " << sentence << '\n';
   for (auto const* const file : {"diagnosis.json", "extended.prm", "report.html"})

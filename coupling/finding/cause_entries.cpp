@@ -148,11 +148,19 @@ CauseEntries die_entries_of(Asked const& asked) {
   return entries;
 }
 
-/// What the simulator has no block for.
-auto no_block(std::string words) {
-  return [words = std::move(words)](Asked const&) {
-    return obstacle("the simulator has no block for " + words + " yet");
+/// What the simulator has a block for, and nobody knows how far that goes.
+auto no_measure(std::string entry) {
+  return [entry = std::move(entry)](Asked const&) {
+    return obstacle("how much of the entry " + entry +
+                    " makes an effect of this size is not known. Try values of it by hand?");
   };
+}
+
+/// In the quick case b = 0.3 gives the stress that the emulator has at a = 1.
+CauseEntries multi_contact_entries_of(Asked const& asked) {
+  constexpr double coefficient_for_one = 0.3;
+  return change("Contact/Multi-contact coefficient",
+                asked.setup.contacts.law.multi_contact + coefficient_for_one * asked.size());
 }
 
 using EntriesOf = std::function<CauseEntries(Asked const&)>;
@@ -200,11 +208,13 @@ std::map<std::string, EntriesOf, std::less<>> const& table() {
       {"plastic_contacts", plastic_entries_of},
       {"rate_dependence", rate_entries_of},
       {"die_compliance", die_entries_of},
-      {"punch_tilt", no_block("a tilted punch")},
-      {"breakage", no_block("grains that break")},
-      {"missing_fines", no_block("fines that the sieve curve does not show")},
-      {"fill_state", no_block("how densely the die was filled")},
-      {"multi_contact", no_block("contacts of one grain that stiffen each other")},
+      {"punch_tilt",
+       added("Tooling/Punch tilt", [](Case const& c) { return c.tooling.punch_tilt; })},
+      {"multi_contact", multi_contact_entries_of},
+      // Their blocks are there; how far each goes for a size is not measured yet.
+      {"breakage", no_measure("Breakage/Strength")},
+      {"missing_fines", no_measure("Powder/Added fines/Share")},
+      {"fill_state", no_measure("Powder/Fill state")},
   };
   return all;
 }

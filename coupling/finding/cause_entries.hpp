@@ -45,6 +45,8 @@ struct CauseEntries {
 ///   rate_dependence    A = a F / (dF/dt), so that d ln F / d ln v = a   Contact/Viscous time
 ///   die_compliance     1/E' = 1/E + a / (D c),  c = (r_o^2 + r_i^2) / (r_o^2 - r_i^2) + nu
 ///                                                     Deformable tools/Young's modulus, Mode
+///   punch_tilt         tilt + a                       Tooling/Punch tilt
+///   multi_contact      b + 0.3 a (README)             Contact/Multi-contact coefficient
 /// A parameter of the cause that is named as an entry is (stiffness, seating, seating_force,
 /// yield_pressure, viscous_time) is taken as it stands.
 /// Sources: Thornton and Ning, Powder Technol. 99 (1998) 154, eqs 13 to 22, for p_y; Timoshenko and
