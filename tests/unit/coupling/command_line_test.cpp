@@ -60,8 +60,11 @@ TEST(CommandLine, WrongUseIsOneLineAndStatus2) {
   expect_refused(run({"verify", "--filter", "no-such-benchmark"}), "no-such-benchmark");
 }
 
-TEST(CommandLine, LaterCommandsSaySo) {
-  expect_refused(run({"diagnose", "case.prm", "measured"}), "this version does not have it");
+TEST(CommandLine, DiagnosesOnlyWhatIsThere) {
+  std::string const of = PRESSCHECK_SOURCE_DIR "/tests/diagnosis/case.prm";
+  expect_refused(run({"diagnose", of, "nowhere"}), "nowhere/measured.json");
+  expect_refused(run({"diagnose", "nocase.prm", "nowhere"}), "nocase.prm");
+  expect_refused(run({"diagnose", of}), "measured");
 }
 
 TEST(CommandLine, DefaultsListEveryEntry) {

@@ -57,14 +57,14 @@ TEST(ErrorTerms, ARowOfManyReadingsIsSurer) {
   ChannelBlock block{.run = "run1", .channel = "force", .phase = Phase::loading};
   block.coordinate = VectorXd::LinSpaced(3, 0.0, 1.0);
   block.values = VectorXd::Constant(3, 100.0);
-  block.n_readings = Eigen::Vector3d(1.0, 4.0, 25.0);
+  block.n_readings = VectorXd{{1.0, 4.0, 25.0}};
   Observations const data({block});
   std::vector<ChannelError> const errors{{.channel = "force", .sd = 10.0}};
   auto const S = sensor_covariance(data, errors_of_blocks(data, errors), data.values());
   EXPECT_DOUBLE_EQ(S(0, 0), 100.0);
   EXPECT_DOUBLE_EQ(S(1, 1), 25.0);
   EXPECT_DOUBLE_EQ(S(2, 2), 4.0);
-  block.n_readings = Eigen::Vector2d(1.0, 4.0);
+  block.n_readings = VectorXd::Ones(2);
   EXPECT_THROW(Observations({block}), dem::InvalidInput);
 }
 
