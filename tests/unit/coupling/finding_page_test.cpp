@@ -3,10 +3,12 @@
 #include "coupling/finding/finding_page.hpp"
 #include "coupling/finding/page_parts.hpp"
 #include "tests/support/sample_finding.hpp"
+#include "tests/support/scratch_folder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
 #include <fstream>
 
 namespace coupling::finding {
@@ -129,14 +131,18 @@ TEST(CauseWords, ShowsSizesInTheUnitsOfAPress) {
 
 /// For looking at it: PRESSCHECK_PAGES=FOLDER writes one page a verdict.
 TEST(FindingPage, CanBeLookedAt) {
-  char const* folder = std::getenv("PRESSCHECK_PAGES");
-  if (folder == nullptr)
-    GTEST_SKIP() << "PRESSCHECK_PAGES names no folder";
+  support::ScratchFolder const scratch;
+  char const* const named_folder = std::getenv("PRESSCHECK_PAGES");
+  auto const folder = named_folder ? std::filesystem::path(named_folder) : scratch.path();
   auto named = sample::named();
   named.extension = {{"Press frame/Stiffness", "0 N/m", "55555556 N/m",
                       "frame_compliance = 18 µm/kN, 95 %: 17.1 µm/kN to 19.2 µm/kN"}};
-  for (auto const& finding : {named, sample::undecided(), sample::unknown(), sample::consistent()})
-    std::ofstream(std::string(folder) + "/" + finding.verdict + ".html") << finding_page(finding);
+  for (auto const& finding :
+       {named, sample::undecided(), sample::unknown(), sample::consistent()}) {
+    auto const file = folder / (finding.verdict + ".html");
+    std::ofstream(file) << finding_page(finding);
+    EXPECT_GT(std::filesystem::file_size(file), 20'000u) << file;
+  }
 }
 
 } // namespace
