@@ -129,8 +129,14 @@ void declare_diagnose(CLI::App& program, Command& command) {
       ->required();
   app.add_option("-o,--output", options->folder,
                  "folder of the diagnosis (default: diagnoses/<measured>)");
-  app.add_option("--simulation", options->simulation,
-                 "run folder of this case; without it the case is run");
+  app.add_option("--simulation", options->simulations,
+                 "run folder of this case; once more for each other packing; without it the case "
+                 "is run")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--packings", options->packings,
+                 "packings to run (default: as many as have 10000 grains together, at most 4)")
+      ->check(CLI::Range(1, 64));
   app.add_option("--seed", options->seed, "of the random draws behind p-values");
   app.add_option("--modulus-sd", options->modulus_sd,
                  "relative standard uncertainty of the case's Young's modulus (default 0.3)")

@@ -63,7 +63,8 @@ struct DiagnoseOptions {
   CaseChoice choice;
   std::filesystem::path measured;   ///< folder with measured.json
   std::filesystem::path folder;     ///< empty: diagnoses/<name of the measured folder>
-  std::filesystem::path simulation; ///< run folder of the case; empty: it is run
+  std::vector<std::filesystem::path> simulations; ///< run folders of the case; none: it is run
+  int packings = 0; ///< to run; 0: four of a coarse bed, fewer of a fine one
   int threads = 0;
   std::uint64_t seed = 1;                     ///< of the references' draws
   double modulus_sd = 0.3, cohesion_sd = 0.5; ///< of the sheet's values, relative [1]

@@ -60,19 +60,39 @@ std::vector<std::string> as_far_as(measured::MeasuredData const& data, Case cons
   return {fmt::format("Press programme/Stage {}/Gap = {} m", stage + 1, least)};
 }
 
-/// Runs a case into a folder unless it is there. @returns exit status
-int simulate(CaseChoice choice, measured::MeasuredData const& data, fs::path const& folder,
-             DiagnoseOptions const& options) {
+/// As many packings as have the grains of a bed that scatters by half a per cent, at most four.
+int packings_of(std::size_t n_grains) {
+  constexpr std::size_t enough = 10'000, most = 4;
+  return static_cast<int>(std::clamp((enough + n_grains - 1) / n_grains, std::size_t{1}, most));
+}
+
+/// Runs packings of a case: into `folder`, and folder_2, ... beside it. @returns exit status
+int simulate(CaseChoice const& choice, measured::MeasuredData const& data,
+             DiagnoseOptions const& options, fs::path const& folder,
+             std::vector<fs::path>& simulated) {
   auto const further = as_far_as(data, read_chosen_case(choice));
-  choice.overrides.insert(choice.overrides.end(), further.begin(), further.end());
-  Case const setup = read_chosen_case(choice);
-  std::cout << fmt::format("simulating {} in {}\n", choice.file.string(), folder.string());
-  Press press = set_up_press(setup);
-  clear_run_folder(folder);
-  return execute(press, {.folder = folder,
-                         .until = last_pressing_stage(setup),
-                         .quiet = options.quiet,
-                         .is_new = true});
+  int n = std::max(options.packings, 1);
+  for (int k = 0; k < n; ++k) {
+    auto packing = choice;
+    packing.overrides.insert(packing.overrides.end(), further.begin(), further.end());
+    Case setup = read_chosen_case(packing);
+    setup.powder.seed += static_cast<std::uint64_t>(k);
+    auto const into = k == 0 ? folder : fs::path(fmt::format("{}_{}", folder.string(), k + 1));
+    Press press = set_up_press(setup);
+    if (options.packings == 0)
+      n = packings_of(press.world.grains.size());
+    std::cout << fmt::format("simulating {} in {} (packing {} of {})\n", choice.file.string(),
+                             into.string(), k + 1, n);
+    clear_run_folder(into);
+    if (int const status = execute(press, {.folder = into,
+                                           .until = last_pressing_stage(setup),
+                                           .quiet = options.quiet,
+                                           .is_new = true});
+        status != done)
+      return status;
+    simulated.push_back(into);
+  }
+  return done;
 }
 
 /// `frame_compliance: 2e-08 m/N (1.8e-08 to 2.2e-08), probability 0.97`
@@ -84,6 +104,13 @@ std::string in_words(finding::FoundCause const& cause) {
                          size.unit == "1" ? "" : size.unit, size.low, size.high);
   }
   return words + fmt::format(", probability {:.2g}", cause.probability);
+}
+
+std::string in_one_line(std::vector<fs::path> const& folders) {
+  std::vector<std::string> names;
+  for (auto const& folder : folders)
+    names.push_back(folder.string());
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 /// What was found, as files and in words.
@@ -117,19 +144,22 @@ int score_by_simulation(finding::CaseDiagnosis& diagnosis, Case const& setup,
                         measured::MeasuredData const& data, DiagnoseOptions const& options,
                         fs::path const& folder) {
   auto const found = diagnosis.finding();
-  auto const simulated = [&](std::string const& name, finding::ExtendedCase const& what) {
+  std::vector<fs::path> calibrated, extended;
+  auto const run = [&](std::string const& name, finding::ExtendedCase const& what,
+                       std::vector<fs::path>& simulated) {
     write_file(folder / (name + ".prm"), what.text);
-    return simulate({.file = folder / (name + ".prm"), .overrides = {}, .setup = {}}, data,
-                    folder / name, options);
+    return simulate({.file = folder / (name + ".prm"), .overrides = {}, .setup = {}}, data, options,
+                    folder / name, simulated);
   };
   fs::create_directories(folder);
-  if (int const status = simulated("calibrated", extended_case(setup, {}, found.calibrated));
+  if (int const status =
+          run("calibrated", extended_case(setup, {}, found.calibrated), calibrated);
       status != done)
     return status;
-  if (int const status = simulated("extended", extended_case(setup, found)); status != done)
+  if (int const status = run("extended", extended_case(setup, found), extended); status != done)
     return status;
-  diagnosis.score_simulations(reduced::simulated_press(folder / "calibrated"),
-                              reduced::simulated_press(folder / "extended"));
+  diagnosis.score_simulations(reduced::simulated_press(calibrated),
+                              reduced::simulated_press(extended));
   return done;
 }
 
@@ -141,11 +171,13 @@ int diagnose(DiagnoseOptions const& options) {
   auto const data = measured::read_measured(options.measured);
   auto const folder = folder_of(options);
   check_run_folder(folder, options.overwrite);
-  auto const simulation = options.simulation.empty() ? folder / "simulation" : options.simulation;
-  if (options.simulation.empty())
-    if (int const status = simulate(options.choice, data, simulation, options); status != done)
+  auto simulations = options.simulations;
+  if (simulations.empty())
+    if (int const status =
+            simulate(options.choice, data, options, folder / "simulation", simulations);
+        status != done)
       return status;
-  auto simulated = reduced::simulated_press(simulation);
+  auto simulated = reduced::simulated_press(simulations);
   simulated.sheet.young_modulus_sd = options.modulus_sd;
   simulated.sheet.cohesion_sd = options.cohesion_sd;
   finding::CaseQuestion question{.setup = setup,
@@ -154,7 +186,7 @@ int diagnose(DiagnoseOptions const& options) {
                                  .provenance = {.case_file = options.choice.file.string(),
                                                 .data_folder = options.measured.string(),
                                                 .version = PRESSCHECK_VERSION,
-                                                .simulation = simulation.string()}};
+                                                .simulation = in_one_line(simulations)}};
   question.settings.misfit.seed = options.seed;
   finding::CaseDiagnosis diagnosis(question);
   if (diagnosis.can_gain() && !options.is_quick)

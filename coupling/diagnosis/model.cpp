@@ -65,7 +65,9 @@ void validate(Model const& model) {
                      shape.high);
   }
   for (auto const& one : model.scatters())
-    validate_prior(one.name, 0.0, one.sd, -no_bound, no_bound);
+    VALIDATE(one.sd >= 0.0 && std::isfinite(one.sd),
+             fmt::format("{}: scatters by {:g} {} (0 or more). Was a variance meant?", one.name,
+                         one.sd, one.unit));
 }
 
 Eigen::VectorXd predict_rows(Model const& model, Parameters const& at, Eigen::Index n_rows) {

@@ -13,6 +13,8 @@ using diagnosis::VerdictKind;
 reduced::PressModel model_of(CaseQuestion const& question, reduced::PressPlan const& plan) {
   reduced::RepeatScatter scatter;
   scatter.mass = question.data.sample.mass.sd / question.data.sample.mass.value;
+  if (question.simulated.n_grains > 0)
+    scatter.onset = 0.0; // packings scatter as the grains do (error_sources)
   return {in_laboratory(question.simulated, question.data.sample), question.simulated.sheet,
           scatter, plan};
 }
@@ -22,9 +24,11 @@ reduced::PressModel model_of(CaseQuestion const& question, reduced::PressPlan co
 CaseDiagnosis::CaseDiagnosis(CaseQuestion const& question)
     : question_(question), rows_(reduced::measured_rows(question.data, measured::Role::fit)),
       model_(model_of(question, rows_.plan)), observations_(rows_.blocks),
-      sources_(error_sources(model_, rows_.channels, question.simulated.fit)),
+      sources_(error_sources(model_, rows_.channels, question.simulated.fit,
+                             uncertainty_of(question.simulated))),
       found_(diagnose(observations_, model_, sources_, question.settings)),
-      held_out_(question.data, sources_, question.simulated.fit),
+      held_out_(question.data, sources_, question.simulated.fit,
+                uncertainty_of(question.simulated)),
       named_(claimed_hypothesis(found_)) {
   if (!can_gain())
     return;

@@ -1,7 +1,6 @@
 #include "coupling/finding/held_out.hpp"
 
 #include "coupling/finding/row_inputs.hpp"
-#include "coupling/reduced/error_sources.hpp"
 
 #include <algorithm>
 #include <iterator>
@@ -13,8 +12,8 @@ using diagnosis::HeldOutPrediction;
 using diagnosis::HeldOutRun;
 
 HeldOutRuns::HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSources const& sources,
-                         reduced::BedFit const& fit)
-    : tolerances_(sources.tolerances), fit_(fit) {
+                         reduced::BedFit const& fit, reduced::BedUncertainty const& uncertainty)
+    : tolerances_(sources.tolerances), fit_(fit), uncertainty_(uncertainty) {
   for (auto const& run : data.runs) {
     if (run.role != measured::Role::held_out)
       continue;
@@ -38,7 +37,7 @@ HeldOutRun HeldOutRuns::compared(Run const& run, FittedPress const& before,
     auto const model = press.model.with_plan(run.plan);
     diagnosis::ErrorSources const sources{
         .channels = run.channels,
-        .numerical = {.bias = {}, .covariance = reduced::numerical_covariance(model, fit_)},
+        .numerical = {.bias = {}, .covariance = reduced::numerical_covariance(model, fit_, uncertainty_)},
         .tolerances = tolerances_};
     auto const errors = error_model(run.observations, model, sources, press.at, press.active);
     return HeldOutPrediction{.value = model.predict(press.at) + errors.bias,

@@ -2,7 +2,7 @@
 
 #include "coupling/finding/finding_of.hpp"
 #include "coupling/measured/measured_data.hpp"
-#include "coupling/reduced/bed_fit.hpp"
+#include "coupling/reduced/error_sources.hpp"
 #include "coupling/reduced/measured_plan.hpp"
 #include "coupling/reduced/press_model.hpp"
 
@@ -19,9 +19,9 @@ struct FittedPress {
 class HeldOutRuns {
 public:
   /// @param sources  of the fitted runs: shares and tolerances are taken over
-  /// @param fit      of the simulation that the presses stand for
+  /// @param fit, uncertainty  of the simulation that the presses stand for
   HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSources const& sources,
-              reduced::BedFit const& fit);
+              reduced::BedFit const& fit, reduced::BedUncertainty const& uncertainty);
 
   bool empty() const { return runs_.empty(); }
   std::vector<diagnosis::HeldOutRun> compared(FittedPress const& before,
@@ -39,6 +39,7 @@ private:
   std::vector<Run> runs_;
   diagnosis::Tolerances tolerances_;
   reduced::BedFit fit_;
+  reduced::BedUncertainty uncertainty_;
 };
 
 } // namespace coupling::finding

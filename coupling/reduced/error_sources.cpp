@@ -65,6 +65,16 @@ VectorXd missed_by_emulator(PressPlan const& plan, VectorXd const& rows, BedFit 
 
 } // namespace
 
+BedUncertainty uncertainty_of(SimulatedPress const& simulated) {
+  BedUncertainty uncertainty;
+  uncertainty.n_packings = simulated.n_packings;
+  if (simulated.n_grains == 0)
+    return uncertainty;
+  uncertainty.onset = 0.0; // is in the scatter of the packings
+  uncertainty.packing = packing_scatter(static_cast<double>(simulated.n_grains));
+  return uncertainty;
+}
+
 MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
                               BedUncertainty const& uncertainty) {
   auto const nominal = model.press_at(nominal_parameters(model));
@@ -81,6 +91,11 @@ MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
   vary([&](BedLaw& law) { law.wall_friction *= 1.0 + uncertainty.wall_friction; });
   vary([&](BedLaw& law) { law.radial_ratio *= 1.0 + uncertainty.radial_ratio; });
   MatrixXd covariance = changes * changes.transpose();
+  if (uncertainty.packing.stress > 0.0) {
+    auto const packing = packing_covariance(nominal, model.plan(), uncertainty.packing);
+    covariance += packing / static_cast<double>(uncertainty.n_packings) +
+                  apart_by_run(packing, model.plan());
+  }
   covariance.diagonal() +=
       missed_by_emulator(model.plan(), at_nominal, fit).array().square().matrix();
   return covariance;

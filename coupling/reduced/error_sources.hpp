@@ -1,6 +1,7 @@
 #pragma once
 
 #include "coupling/diagnosis/error_model.hpp"
+#include "coupling/reduced/packing_scatter.hpp"
 #include "coupling/reduced/press_model.hpp"
 #include "coupling/reduced/simulated_press.hpp"
 
@@ -13,10 +14,17 @@ struct BedUncertainty {
   double recovery = 0.004;     ///< [1], relative
   double wall_friction = 0.02; ///< [1], relative
   double radial_ratio = 0.01;  ///< [1], relative
+  PackingScatter packing = {}; ///< of the bed's grains, simulated as well as pressed
+  std::size_t n_packings = 1;  ///< that the simulated bed is the mean of
 };
 
-/// Covariance of the rows of a plan at the nominal press, n_rows x n_rows: the changes by these,
-/// and for each row by itself what the emulator misses of its simulation (r.m.s. of its phase, the
+/// Of a simulation: its grains scatter as so many do, in the laboratory, too, since the case is
+/// what is known of that powder. Without grains the onset alone is unsure.
+BedUncertainty uncertainty_of(SimulatedPress const& simulated);
+
+/// Covariance of the rows of a plan at the nominal press, n_rows x n_rows: the changes by these;
+/// packings, a share 1 / n_packings in all runs together and once more in each run by itself; and
+/// for each row by itself what the emulator misses of its simulation (r.m.s. of its phase, the
 /// largest departure just after the turn; README).
 Eigen::MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
                                      BedUncertainty const& uncertainty = {});

@@ -6,20 +6,27 @@
 #include "coupling/reduced/press_model.hpp"
 
 #include <filesystem>
+#include <vector>
 
 namespace coupling::reduced {
 
-/// A simulation of a case, as an emulator that stands for it.
+/// A simulation of a case, or the mean of several packings of it, as an emulator.
 struct SimulatedPress {
   Press nominal; ///< with the case's own machine
   Sheet sheet;
   BedFit fit;
+  std::size_t n_grains = 0; ///< of one packing; 0: not known
+  std::size_t n_packings = 1;
 };
 
 /// The law of the bed that a run folder holds: case.resolved.prm, curves.csv, and the grains of
 /// run.h5 for the volume of the solid (without it the case's masses over densities).
 /// @throws dem::InvalidInput if something is missing or is no press cycle
 SimulatedPress simulated_press(std::filesystem::path const& run_folder);
+
+/// The same of several packings: the law of their mean cycle (mean_cycle).
+/// @throws dem::InvalidInput as above, for no folder, and if one is of another case
+SimulatedPress simulated_press(std::vector<std::filesystem::path> const& run_folders);
 
 /// The same bed with the laboratory's mass of the same powder in the laboratory's die.
 Press in_laboratory(SimulatedPress const& simulated, measured::Sample const& sample);
