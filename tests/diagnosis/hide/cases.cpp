@@ -120,13 +120,25 @@ Effects Case::effects() const {
   return all;
 }
 
+std::array<Powder, 4> simulated_departures(Powder const& powder) {
+  std::array<Powder, 4> one;
+  one.fill(powder);
+  one[0].onset += 0.0012;
+  one[1].recovery *= 1.004;
+  one[2].wall_friction *= 1.02;
+  one[3].radial_ratio *= 1.01;
+  return one;
+}
+
 Powder simulated_powder(std::uint64_t seed) {
   CounterStream draw(seed, Purpose::simulation);
+  Powder const sheet;
+  auto const one = simulated_departures(sheet);
   Powder powder;
-  powder.onset += 0.0012 * draw.normal();
-  powder.recovery *= 1.0 + 0.004 * draw.normal();
-  powder.wall_friction *= 1.0 + 0.02 * draw.normal();
-  powder.radial_ratio *= 1.0 + 0.01 * draw.normal();
+  powder.onset += draw.normal() * (one[0].onset - sheet.onset);
+  powder.recovery += draw.normal() * (one[1].recovery - sheet.recovery);
+  powder.wall_friction += draw.normal() * (one[2].wall_friction - sheet.wall_friction);
+  powder.radial_ratio += draw.normal() * (one[3].radial_ratio - sheet.radial_ratio);
   return powder;
 }
 

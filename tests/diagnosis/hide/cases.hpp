@@ -2,6 +2,7 @@
 
 #include "tests/diagnosis/hide/press.hpp"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -58,6 +59,9 @@ std::vector<PlannedRun> planned_runs(Observables observables);
 /// Scatter between pressings that are meant to be the same: mass 0.3 %, onset 0.0012, wall friction
 /// 3 %, zeros 8 um and 4 N (standard deviations). Source: diagnosis note 4.1.
 Repeat scatter_scale();
+
+/// What a simulation of a powder is not sure of, one standard deviation of one number each.
+std::array<Powder, 4> simulated_departures(Powder const& powder);
 
 /// The powder as a simulation of the press has it: at the sheet's modulus and cohesion, each other
 /// number off by what packing seeds and time steps make of it (standard deviations: onset 0.0012,

@@ -85,6 +85,11 @@ Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_
       sigma.block(run * rows, run * rows, rows, rows) +=
           moved.segment(run * rows, rows) * moved.segment(run * rows, rows).transpose();
   }
+  // The simulation that the data will be held against is wrong in all runs alike.
+  for (auto const& powder : simulated_departures(of.powder)) {
+    Eigen::VectorXd const moved = values(observed(of, powder, {}, {})) - y;
+    sigma += moved * moved.transpose();
+  }
   return sigma;
 }
 

@@ -11,7 +11,8 @@ namespace hidden {
 /// How far an effect stands out of what calibration and scatter can absorb, by the generator's own
 /// linear model of the fitted runs at the case's powder (diagnosis note 2b):
 ///   lambda = |P w|,  w = L^-1 (y(effect) - y(none)),  P projects E and CED out,
-///   Sigma  = sensors + repeats (mass, packing, friction, zeros) + tolerance 0.3 % of y.
+///   Sigma  = sensors + repeats (mass, packing, friction, zeros) + tolerance 0.3 % of y
+///            + the simulation's own departures (simulated_departures), alike in all runs.
 class Detector {
 public:
   explicit Detector(Case const& of);
