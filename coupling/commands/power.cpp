@@ -58,9 +58,8 @@ double closing_gap(Case const& setup) {
 }
 
 double end_gap_of(PowerOptions const& options, Case const& setup) {
-  return options.end_gap.empty()
-             ? closing_gap(setup)
-             : quantity("--end-gap", options.end_gap, Physical::length, 0.0);
+  return options.end_gap.empty() ? closing_gap(setup)
+                                 : quantity("--end-gap", options.end_gap, Physical::length, 0.0);
 }
 
 fs::path folder_of(PowerOptions const& options) {
@@ -103,13 +102,14 @@ int power(PowerOptions const& options) {
   simulated.sheet.young_modulus_sd = options.modulus_sd;
   simulated.sheet.cohesion_sd = options.cohesion_sd;
   // The case's own mass of the powder in the case's own die: exact, for nothing is measured yet.
-  auto const nominal = in_laboratory(simulated, {.mass = {setup.powder.total_mass, 0.0},
-                                                 .die_diameter = {setup.tooling.bore_diameter, 0.0}});
+  auto const nominal =
+      in_laboratory(simulated, {.mass = {setup.powder.total_mass, 0.0},
+                                .die_diameter = {setup.tooling.bore_diameter, 0.0}});
   auto table = finding::power_table({.simulated = simulated,
-                            .nominal = nominal,
-                            .fill_height = setup.powder.fill_height,
-                            .instruments = instruments},
-                           reduced::usual_instrument_sets(speed, gap));
+                                     .nominal = nominal,
+                                     .fill_height = setup.powder.fill_height,
+                                     .instruments = instruments},
+                                    reduced::usual_instrument_sets(speed, gap));
   table.provenance = {.case_file = options.choice.file.string(),
                       .data_folder = "",
                       .version = PRESSCHECK_VERSION,

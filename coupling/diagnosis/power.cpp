@@ -24,10 +24,10 @@ constexpr int halvings = 40; // from the largest size down: 1e-12 of it is no si
 void validate(PowerSettings const& settings) {
   VALIDATE(settings.detection > 0.0 && settings.separation > 0.0 && settings.most_scales > 0.0 &&
                settings.n_segments > 0,
-           fmt::format("power: detection {:g}, separation {:g}, {:g} prior scales, {} segments (all "
-                       "are positive). Is one left out?",
-                       settings.detection, settings.separation, settings.most_scales,
-                       settings.n_segments));
+           fmt::format(
+               "power: detection {:g}, separation {:g}, {:g} prior scales, {} segments (all "
+               "are positive). Is one left out?",
+               settings.detection, settings.separation, settings.most_scales, settings.n_segments));
 }
 
 /// Vertices of e(b) for sizes b from 0 to the largest of a sign, n_extended x n.
@@ -78,8 +78,8 @@ public:
     Parameters at = nominal_;
     at.sizes[mechanism] = size;
     at.shapes[static_cast<std::size_t>(mechanism)] = shapes;
-    return tangent_.project(comparison_.whitener.whiten(
-        predict_rows(model_, at, baseline_.size()) - baseline_));
+    return tangent_.project(
+        comparison_.whitener.whiten(predict_rows(model_, at, baseline_.size()) - baseline_));
   }
   VectorXd of(int mechanism, double size) const {
     return of(mechanism, size, nominal_.shapes[static_cast<std::size_t>(mechanism)]);
@@ -128,8 +128,8 @@ std::optional<double> least_size(auto const& excess, double from, double most) {
     if (at_high >= 0.0) {
       std::uintmax_t n_calls = 30;
       auto const tolerance = [](double a, double b) { return b - a <= 1e-3 * b; };
-      auto const [a, b] = boost::math::tools::toms748_solve(excess, low, high, at_low, at_high,
-                                                            tolerance, n_calls);
+      auto const [a, b] =
+          boost::math::tools::toms748_solve(excess, low, high, at_low, at_high, tolerance, n_calls);
       return 0.5 * (a + b);
     }
     low = high, at_low = at_high;
@@ -175,8 +175,8 @@ SignPower power_of_sign(Effects const& effects, int mechanism, double sign, doub
   SignPower power;
   if (auto const detected = least_size(seen, from, most)) {
     power.detected = *detected;
-    power.told = chains.size() < 2 ? *detected
-                                   : least_size(apart, *detected, most).value_or(no_bound);
+    power.told =
+        chains.size() < 2 ? *detected : least_size(apart, *detected, most).value_or(no_bound);
   }
   double const at = std::isfinite(power.told) ? power.told : most;
   power.nearest = nearest_rival(effects.of(mechanism, sign * at), mechanism, chains);

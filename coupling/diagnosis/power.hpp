@@ -21,7 +21,7 @@ struct Power {
   double scale;    ///< of the size's prior [unit]
   double detected; ///< smallest size that is detected [unit]; infinite: none is
   double told;     ///< smallest that is also told from every single rival [unit]; infinite: none is
-  std::string rival;    ///< the nearest one there, or at the largest size looked at; empty: none
+  std::string rival;     ///< the nearest one there, or at the largest size looked at; empty: none
   double rival_distance; ///< Delta there, standard uncertainties; infinite without a rival
 };
 

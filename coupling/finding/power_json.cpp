@@ -17,9 +17,12 @@ Json set_json(PowerColumn const& column) {
   Json runs = Json::array();
   for (auto const& [speed, gap, dwell] : column.set.pressings)
     runs.push_back({{"speed_down", speed}, {"end_gap", gap}, {"dwell", dwell}});
-  return {{"name", column.set.name},   {"words", column.set.words},
-          {"channels", column.set.channels}, {"scalars", column.set.scalars},
-          {"runs", runs},              {"rows", column.n_rows}};
+  return {{"name", column.set.name},
+          {"words", column.set.words},
+          {"channels", column.set.channels},
+          {"scalars", column.set.scalars},
+          {"runs", runs},
+          {"rows", column.n_rows}};
 }
 
 Json instruments_json(reduced::Instruments const& with) {
@@ -46,10 +49,8 @@ Json causes_json(PowerTable const& table) {
                                {"rival", one.rival},
                                {"rival_distance", number(one.rival_distance)}};
     }
-    all.push_back({{"name", first.name},
-                   {"unit", first.unit},
-                   {"prior_size", first.scale},
-                   {"sets", sets}});
+    all.push_back(
+        {{"name", first.name}, {"unit", first.unit}, {"prior_size", first.scale}, {"sets", sets}});
   }
   return all;
 }

@@ -7,8 +7,7 @@ namespace {
 
 PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet const& set,
                       PowerTable& table) {
-  auto const rows =
-      planned_rows(question.nominal, set, question.instruments, question.fill_height);
+  auto const rows = planned_rows(question.nominal, set, question.instruments, question.fill_height);
   reduced::PressModel const model(question.nominal, question.simulated.sheet, {}, rows.plan);
   auto const errors = error_sources(model, rows.channels, question.simulated.fit);
   table.calibrated = model.calibrated();
@@ -22,8 +21,8 @@ PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet cons
                                 .source = one.source});
   return {.set = set,
           .n_rows = rows.plan.n_rows(),
-          .causes = power_of(diagnosis::Observations(rows.blocks), model, errors,
-                             question.settings)};
+          .causes =
+              power_of(diagnosis::Observations(rows.blocks), model, errors, question.settings)};
 }
 
 } // namespace

@@ -92,8 +92,8 @@ std::string power_markdown(PowerTable const& table) {
   text += "\n" + rule + "\n";
   for (std::size_t j = 0; !table.columns.empty() && j < table.columns.front().causes.size(); ++j) {
     auto const& first = table.columns.front().causes[j];
-    text += fmt::format("| `{}` ({}) | {} |", first.name, unit_of(first),
-                        shown(first, first.scale));
+    text +=
+        fmt::format("| `{}` ({}) | {} |", first.name, unit_of(first), shown(first, first.scale));
     for (auto const& column : table.columns)
       text += fmt::format(" {} |", cell(column.causes[j], column.causes[j].rival));
     text += "\n";
@@ -125,8 +125,8 @@ std::string power_text(PowerTable const& table) {
                         shown(causes[j], causes[j].scale));
     for (auto const& column : table.columns) {
       auto const& one = column.causes[j];
-      text += fmt::format(
-          "{:>20}", cell(one, one.rival.empty() ? "" : std::to_string(line_of(one.rival))));
+      text += fmt::format("{:>20}",
+                          cell(one, one.rival.empty() ? "" : std::to_string(line_of(one.rival))));
     }
   }
   text += "\n\n(n): the rival in line n\n";

@@ -38,9 +38,8 @@ Phases phases_of(Press const& press, GapCourse const& course, std::string const&
     if (double const t = turning.opens + (end - turning.opens) * k / n; t > times.back())
       times.push_back(t);
   auto const cycle = press_cycle(press.pressed, press.machine, course, times);
-  double const least =
-      Binning{}.contact_share *
-      std::ranges::max_element(cycle, {}, &ChainReading::load_cell)->load_cell;
+  double const least = Binning{}.contact_share *
+                       std::ranges::max_element(cycle, {}, &ChainReading::load_cell)->load_cell;
   VALIDATE(least > 0.0,
            fmt::format("set {}: the bed does not bear at a gap of {:g} m (it is higher than the "
                        "powder). Is the end gap right?",
@@ -70,7 +69,8 @@ public:
     std::vector<std::vector<Span>> nodes;
     for (auto const& channel : set_.channels) {
       bool const is_upper = channel == "upper_punch_force";
-      add_block(planned, channel, Phase::loading, {parts(phases.before, 1), loading(phases)}, nodes);
+      add_block(planned, channel, Phase::loading, {parts(phases.before, 1), loading(phases)},
+                nodes);
       add_block(planned, channel, Phase::dwell, {parts(phases.dwell, Binning{}.n_dwell)}, nodes);
       // No press run tells how a compact hangs in the die: the other gauges end with the contact.
       add_block(planned, channel, Phase::unloading,
@@ -107,9 +107,9 @@ public:
                                         .sd_relative = instruments_.force_relative,
                                         .has_kink = true});
     for (auto const& scalar : set_.scalars)
-      rows_.channels.push_back({.channel = scalar,
-                                .sd = scalar == "compact_height" ? instruments_.height_sd
-                                                                 : instruments_.ejection_sd});
+      rows_.channels.push_back(
+          {.channel = scalar,
+           .sd = scalar == "compact_height" ? instruments_.height_sd : instruments_.ejection_sd});
     auto const values = predict_plan(press_, rows_.plan);
     Eigen::Index row = 0;
     for (auto& block : rows_.blocks) {

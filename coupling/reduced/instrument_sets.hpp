@@ -11,12 +11,12 @@ namespace coupling::reduced {
 /// What the instruments of a laboratory are good for: standard deviations of a single reading y,
 /// sqrt(sd^2 + (relative y)^2), and how often the logger reads.
 struct Instruments {
-  double force_sd = 12.0, force_relative = 5e-4;      ///< [N], [1], both punches
+  double force_sd = 12.0, force_relative = 5e-4;       ///< [N], [1], both punches
   double pressure_sd = 80e3, pressure_relative = 1e-3; ///< [Pa], [1], radial
-  double height_sd = 15e-6;                           ///< [m], of the compact, by caliper
-  double ejection_sd = 10.0;                          ///< [N], largest ejection force
-  double reading_rate = 10.0;                         ///< [1/s], of the logger
-  int n_repeats = 1;                                  ///< pressings whose mean a run is
+  double height_sd = 15e-6;                            ///< [m], of the compact, by caliper
+  double ejection_sd = 10.0;                           ///< [N], largest ejection force
+  double reading_rate = 10.0;                          ///< [1/s], of the logger
+  int n_repeats = 1;                                   ///< pressings whose mean a run is
 };
 
 /// One pressing of a set.
