@@ -158,8 +158,11 @@ void declare_power(CLI::App& program, Command& command) {
   auto options = std::make_shared<PowerOptions>();
   add_case_choice(app, options->choice);
   app.add_option("-o,--output", options->folder, "folder of the table (default: power/<case>)");
-  app.add_option("--simulation", options->simulation,
-                 "run folder of this case; without it the case is run");
+  app.add_option("--simulation", options->simulations,
+                 "run folder of this case; once more for each other packing; without it the case "
+                 "is run")
+      ->take_all()
+      ->allow_extra_args(false);
   app.add_option("--speed", options->speed, "of closing, e.g. '2 mm/min' (default 1 mm/min)");
   app.add_option("--end-gap", options->end_gap, "of the punches (default: the case's)");
   app.add_option("--force-sd", options->force_sd, "error of a force's reading (default 12 N)");

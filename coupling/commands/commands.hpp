@@ -61,8 +61,8 @@ struct StudyOptions {
 
 struct DiagnoseOptions {
   CaseChoice choice;
-  std::filesystem::path measured;   ///< folder with measured.json
-  std::filesystem::path folder;     ///< empty: diagnoses/<name of the measured folder>
+  std::filesystem::path measured; ///< folder with measured.json
+  std::filesystem::path folder;   ///< empty: diagnoses/<name of the measured folder>
   std::vector<std::filesystem::path> simulations; ///< run folders of the case; none: it is run
   int packings = 0; ///< to run; 0: four of a coarse bed, fewer of a fine one
   int threads = 0;
@@ -75,9 +75,9 @@ struct DiagnoseOptions {
 
 struct PowerOptions {
   CaseChoice choice;
-  std::filesystem::path folder;     ///< empty: power/<case>
-  std::filesystem::path simulation; ///< run folder of the case; empty: it is run
-  std::string speed, end_gap;       ///< of the planned runs; empty: 1 mm/min, the case's own gap
+  std::filesystem::path folder;                   ///< empty: power/<case>
+  std::vector<std::filesystem::path> simulations; ///< run folders of the case; none: it is run
+  std::string speed, end_gap; ///< of the planned runs; empty: 1 mm/min, the case's own gap
   std::string force_sd, pressure_sd, height_sd, ejection_sd; ///< of a reading; empty: usual ones
   double reading_rate = 10.0;                                ///< [1/s], of the logger
   int n_repeats = 1;                                         ///< of each planned run

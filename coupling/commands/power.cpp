@@ -7,6 +7,7 @@
 #include "dem/expect.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
@@ -69,6 +70,13 @@ fs::path folder_of(PowerOptions const& options) {
   return options.folder.empty() ? fs::path("power") / name : options.folder;
 }
 
+std::string in_one_line(std::vector<fs::path> const& folders) {
+  std::vector<std::string> names;
+  for (auto const& folder : folders)
+    names.push_back(folder.string());
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
 void publish(finding::PowerTable const& table, fs::path const& folder) {
   fs::create_directories(folder);
   write_file(folder / "power.json", power_json(table));
@@ -88,17 +96,19 @@ int power(PowerOptions const& options) {
   double const speed = quantity("--speed", options.speed, Physical::speed, 1e-3 / 60.0);
   auto const folder = folder_of(options);
   check_run_folder(folder, options.overwrite);
-  auto const simulation = options.simulation.empty() ? folder / "simulation" : options.simulation;
-  if (options.simulation.empty())
+  auto simulations = options.simulations;
+  if (simulations.empty()) {
+    simulations = {folder / "simulation"};
     if (int const status = run({.choice = options.choice,
-                                .folder = simulation,
+                                .folder = simulations.front(),
                                 .threads = options.threads,
                                 .until = "",
                                 .overwrite = options.overwrite,
                                 .quiet = options.quiet});
         status != done)
       return status;
-  auto simulated = reduced::simulated_press(simulation);
+  }
+  auto simulated = reduced::simulated_press(simulations);
   simulated.sheet.young_modulus_sd = options.modulus_sd;
   simulated.sheet.cohesion_sd = options.cohesion_sd;
   // The case's own mass of the powder in the case's own die: exact, for nothing is measured yet.
@@ -113,7 +123,7 @@ int power(PowerOptions const& options) {
   table.provenance = {.case_file = options.choice.file.string(),
                       .data_folder = "",
                       .version = PRESSCHECK_VERSION,
-                      .simulation = simulation.string()};
+                      .simulation = in_one_line(simulations)};
   publish(table, folder);
   return done;
 }

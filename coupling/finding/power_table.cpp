@@ -2,14 +2,20 @@
 
 #include "coupling/reduced/error_sources.hpp"
 
+#include <fmt/format.h>
+
 namespace coupling::finding {
 namespace {
 
 PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet const& set,
                       PowerTable& table) {
   auto const rows = planned_rows(question.nominal, set, question.instruments, question.fill_height);
-  reduced::PressModel const model(question.nominal, question.simulated.sheet, {}, rows.plan);
-  auto const errors = error_sources(model, rows.channels, question.simulated.fit);
+  reduced::RepeatScatter scatter;
+  if (question.simulated.n_grains > 0)
+    scatter.onset = 0.0; // packings scatter as the grains do (error_sources)
+  reduced::PressModel const model(question.nominal, question.simulated.sheet, scatter, rows.plan);
+  auto const errors = error_sources(model, rows.channels, question.simulated.fit,
+                                    uncertainty_of(question.simulated));
   table.calibrated = model.calibrated();
   table.scatters = model.scatters();
   table.tolerances.clear();
@@ -29,8 +35,17 @@ PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet cons
 
 PowerTable power_table(PowerQuestion const& question,
                        std::vector<reduced::InstrumentSet> const& sets) {
+  auto const& simulated = question.simulated;
   PowerTable table{.provenance = {},
-                   .emulator = in_words(question.simulated.fit),
+                   .emulator = fmt::format(
+                       "{}; {}", in_words(simulated.fit),
+                       simulated.n_grains == 0
+                           ? "of how many grains is not known"
+                           : fmt::format("{} of {} grains, as which the powder scatters",
+                                         simulated.n_packings == 1
+                                             ? "one packing"
+                                             : fmt::format("{} packings", simulated.n_packings),
+                                         simulated.n_grains)),
                    .instruments = question.instruments,
                    .settings = question.settings,
                    .calibrated = {},

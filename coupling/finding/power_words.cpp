@@ -67,8 +67,9 @@ std::vector<std::string> assumptions(PowerTable const& table) {
   for (auto const& one : table.calibrated)
     free.push_back(fmt::format("{} (known to {:g} %)", one.name, 100.0 * one.sd));
   for (auto const& one : table.scatters)
-    scatter.push_back(fmt::format("{} {:g}{}", one.name, one.sd,
-                                  one.unit == "1" ? std::string() : " " + one.unit));
+    if (one.sd > 0.0)
+      scatter.push_back(fmt::format("{} {:g}{}", one.name, one.sd,
+                                    one.unit == "1" ? std::string() : " " + one.unit));
   lines.push_back(fmt::format("Calibrated: {}.", fmt::join(free, ", ")));
   lines.push_back(fmt::format("Scatter from run to run: {}.", fmt::join(scatter, ", ")));
   return lines;
@@ -132,7 +133,7 @@ std::string power_text(PowerTable const& table) {
   text += "\n\n(n): the rival in line n\n";
   for (auto const& line : assumptions(table))
     text += line + "\n";
-  return text;
+  return text + "Emulator: " + table.emulator + ".\n";
 }
 
 } // namespace coupling::finding
