@@ -174,6 +174,10 @@ void declare_power(CLI::App& program, Command& command) {
                  "error of a measured ejection force (default 10 N)");
   app.add_option("--rate", options->reading_rate, "readings a second (default 10)")
       ->check(CLI::Range(0.1, 1e5));
+  app.add_option("--grains", options->n_grains,
+                 "packings scatter as those of so many grains, which a finer simulation of the "
+                 "powder would have (default: the simulation's)")
+      ->check(CLI::Range(1, 1'000'000'000));
   app.add_option("--repeats", options->n_repeats, "repeats of each planned run (default 1)")
       ->check(CLI::Range(1, 1000));
   app.add_option("--modulus-sd", options->modulus_sd,

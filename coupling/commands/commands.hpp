@@ -81,6 +81,7 @@ struct PowerOptions {
   std::string force_sd, pressure_sd, height_sd, ejection_sd; ///< of a reading; empty: usual ones
   double reading_rate = 10.0;                                ///< [1/s], of the logger
   int n_repeats = 1;                                         ///< of each planned run
+  std::size_t n_grains = 0; ///< as so many packings scatter; 0: as those of the simulation
   double modulus_sd = 0.3, cohesion_sd = 0.5; ///< of the sheet's values, relative [1]
   int threads = 0;
   bool overwrite = false;

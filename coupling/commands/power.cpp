@@ -109,6 +109,8 @@ int power(PowerOptions const& options) {
       return status;
   }
   auto simulated = reduced::simulated_press(simulations);
+  if (options.n_grains > 0)
+    simulated.n_grains = options.n_grains;
   simulated.sheet.young_modulus_sd = options.modulus_sd;
   simulated.sheet.cohesion_sd = options.cohesion_sd;
   // The case's own mass of the powder in the case's own die: exact, for nothing is measured yet.

@@ -31,21 +31,23 @@ PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet cons
               power_of(diagnosis::Observations(rows.blocks), model, errors, question.settings)};
 }
 
+/// The emulator, and how its packings and those of the laboratory scatter.
+std::string in_words(reduced::SimulatedPress const& simulated) {
+  auto const packings = simulated.n_packings == 1
+                            ? std::string("one packing")
+                            : fmt::format("{} packings", simulated.n_packings);
+  return in_words(simulated.fit) +
+         (simulated.n_grains == 0
+              ? fmt::format("; {} of an unknown number of grains", packings)
+              : fmt::format("; {}, scattering as {} grains do", packings, simulated.n_grains));
+}
+
 } // namespace
 
 PowerTable power_table(PowerQuestion const& question,
                        std::vector<reduced::InstrumentSet> const& sets) {
-  auto const& simulated = question.simulated;
   PowerTable table{.provenance = {},
-                   .emulator = fmt::format(
-                       "{}; {}", in_words(simulated.fit),
-                       simulated.n_grains == 0
-                           ? "of how many grains is not known"
-                           : fmt::format("{} of {} grains, as which the powder scatters",
-                                         simulated.n_packings == 1
-                                             ? "one packing"
-                                             : fmt::format("{} packings", simulated.n_packings),
-                                         simulated.n_grains)),
+                   .emulator = in_words(question.simulated),
                    .instruments = question.instruments,
                    .settings = question.settings,
                    .calibrated = {},

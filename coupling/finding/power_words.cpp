@@ -115,7 +115,7 @@ std::string power_text(PowerTable const& table) {
     return text;
   text += fmt::format("\n{:>32}{:>8}", "", "prior");
   for (auto const& column : table.columns)
-    text += fmt::format("{:>20}", column.set.name);
+    text += fmt::format("{:>22}", column.set.name);
   auto const& causes = table.columns.front().causes;
   auto const line_of = [&](std::string const& name) {
     return std::ranges::find(causes, name, &Power::name) - causes.begin() + 1;
@@ -126,7 +126,7 @@ std::string power_text(PowerTable const& table) {
                         shown(causes[j], causes[j].scale));
     for (auto const& column : table.columns) {
       auto const& one = column.causes[j];
-      text += fmt::format("{:>20}",
+      text += fmt::format("{:>22}",
                           cell(one, one.rival.empty() ? "" : std::to_string(line_of(one.rival))));
     }
   }

@@ -82,8 +82,8 @@ TEST(CommandLine, TellsThePowerOfInstrumentsBeforeAnythingIsMeasured) {
   // The simulation is taken again, with other instruments.
   auto const simulation = (scratch / "power/simulation").string();
   auto const of = [&](std::vector<std::string> const& further) {
-    std::vector<std::string> arguments{"power",      tiny_case(), "--simulation",
-                                       simulation,   "-o",        (scratch / "again").string()};
+    std::vector<std::string> arguments{"power",    tiny_case(), "--simulation",
+                                       simulation, "-o",        (scratch / "again").string()};
     arguments.insert(arguments.end(), further.begin(), further.end());
     return run(arguments);
   };
@@ -96,10 +96,11 @@ TEST(CommandLine, TellsThePowerOfInstrumentsBeforeAnythingIsMeasured) {
   expect_refused(run({"power", tiny_case(), "--simulation", "nowhere"}), "nowhere/case.resolved");
   expect_refused(run({"power", tiny_case(), "-o", folder}), "is not empty");
   EXPECT_FALSE(fs::exists(scratch / "again"));
-  auto const coarse = of({"--force-sd", "1 kN", "--repeats", "3"});
+  auto const coarse = of({"--force-sd", "1 kN", "--repeats", "3", "--grains", "5000"});
   ASSERT_EQ(coarse.status, 0) << coarse.error;
   EXPECT_NE(coarse.out.find("forces 1000 N"), std::string::npos);
   EXPECT_NE(coarse.out.find("each run the mean of 3"), std::string::npos);
+  EXPECT_NE(coarse.out.find("one packing, scattering as 5000 grains do"), std::string::npos);
 }
 
 TEST(CommandLine, DefaultsListEveryEntry) {

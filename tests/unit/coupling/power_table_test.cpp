@@ -50,8 +50,9 @@ reduced::SimulatedPress simulated() {
       .nominal = nominal, .sheet = {.young_modulus = 2e9, .cohesion = 3e6}, .fit = std::move(fit)};
 }
 
-PowerTable made_table(reduced::Instruments const& with = {}) {
-  auto const simulation = simulated();
+PowerTable made_table(reduced::Instruments const& with = {}, std::size_t n_grains = 0) {
+  auto simulation = simulated();
+  simulation.n_grains = n_grains;
   return power_table({.simulated = simulation,
                       .nominal = simulation.nominal,
                       .fill_height = 20e-3,
@@ -183,6 +184,18 @@ TEST(PowerTable, GoesWithTheInstruments) {
   };
   for (auto const* name : {"gap_offset", "mass_error", "frame_compliance"})
     EXPECT_LT(detected(fine, "D", name), 0.95 * detected(usual, "D", name)) << name;
+}
+
+/// Packings scatter less the more grains they have (packing_scatter), so smaller sizes show.
+TEST(PowerTable, GoesWithTheNumberOfGrains) {
+  auto const coarse = made_table({}, 2000), fine = made_table({}, 200000);
+  for (std::size_t j = 0; j < reduced::known_causes().size(); ++j)
+    for (auto const* set : {"A", "D"}) {
+      auto const &few = column(coarse, set).causes[j], &many = column(fine, set).causes[j];
+      EXPECT_LE(many.detected, few.detected * 1.003) << few.name;
+    }
+  EXPECT_LT(cause(column(fine, "D"), "frame_compliance").detected,
+            0.5 * cause(column(coarse, "D"), "frame_compliance").detected);
 }
 
 TEST(PowerTable, IsWrittenForPeopleAndPrograms) {
