@@ -125,10 +125,12 @@ TEST(InstrumentSets, HaveARowForEveryPartOfACycle) {
 TEST(InstrumentSets, KnowTheirInstruments) {
   auto const rows = rows_of("D", {.force_sd = 3.0, .height_sd = 1e-6, .n_repeats = 3});
   for (auto const& one : rows.channels) {
-    if (one.channel == "lower_punch_force")
+    if (one.channel == "lower_punch_force") {
       EXPECT_EQ(one.sd, 3.0);
-    if (one.channel == "compact_height")
+    }
+    if (one.channel == "compact_height") {
       EXPECT_EQ(one.sd, 1e-6);
+    }
     EXPECT_EQ(one.has_kink,
               one.channel.ends_with("punch_force") || one.channel == "wall_radial_pressure");
   }
@@ -199,7 +201,10 @@ TEST(PowerTable, GoesWithTheNumberOfGrains) {
 }
 
 TEST(PowerTable, IsWrittenForPeopleAndPrograms) {
-  PowerTable table{.provenance = {.case_file = "case.prm", .simulation = "runs/a"},
+  PowerTable table{.provenance = {.case_file = "case.prm",
+                                  .data_folder = "",
+                                  .version = "1",
+                                  .simulation = "runs/a"},
                    .emulator = "the emulator",
                    .instruments = {},
                    .settings = {},
