@@ -152,6 +152,47 @@ void declare_diagnose(CLI::App& program, Command& command) {
   app.callback([options, &command] { command = [options] { return diagnose(*options); }; });
 }
 
+void declare_power(CLI::App& program, Command& command) {
+  CLI::App& app = *program.add_subcommand(
+      "power", "before anything is measured: which instruments would show which cause");
+  auto options = std::make_shared<PowerOptions>();
+  add_case_choice(app, options->choice);
+  app.add_option("-o,--output", options->folder, "folder of the table (default: power/<case>)");
+  app.add_option("--simulation", options->simulations,
+                 "run folder of this case; once more for each other packing; without it the case "
+                 "is run")
+      ->take_all()
+      ->allow_extra_args(false);
+  app.add_option("--speed", options->speed, "of closing, e.g. '2 mm/min' (default 1 mm/min)");
+  app.add_option("--end-gap", options->end_gap, "of the punches (default: the case's)");
+  app.add_option("--force-sd", options->force_sd, "error of a force's reading (default 12 N)");
+  app.add_option("--pressure-sd", options->pressure_sd,
+                 "error of a radial pressure's reading (default 0.08 MPa)");
+  app.add_option("--height-sd", options->height_sd,
+                 "error of a compact's measured height (default 15 um)");
+  app.add_option("--ejection-sd", options->ejection_sd,
+                 "error of a measured ejection force (default 10 N)");
+  app.add_option("--rate", options->reading_rate, "readings a second (default 10)")
+      ->check(CLI::Range(0.1, 1e5));
+  app.add_option("--grains", options->n_grains,
+                 "packings scatter as those of so many grains, which a finer simulation of the "
+                 "powder would have (default: the simulation's)")
+      ->check(CLI::Range(1, 1'000'000'000));
+  app.add_option("--repeats", options->n_repeats, "repeats of each planned run (default 1)")
+      ->check(CLI::Range(1, 1000));
+  app.add_option("--modulus-sd", options->modulus_sd,
+                 "relative standard uncertainty of the case's Young's modulus (default 0.3)")
+      ->check(CLI::Range(1e-3, 3.0));
+  app.add_option("--cohesion-sd", options->cohesion_sd,
+                 "the same of its cohesion energy density (default 0.5)")
+      ->check(CLI::Range(1e-3, 3.0));
+  app.add_flag("--force", options->overwrite, "write into a folder that is not empty");
+  app.add_option("--threads", options->threads, "number of threads (results do not depend on it)")
+      ->check(CLI::Range(1, 1024));
+  app.add_flag("--quiet", options->quiet, "no progress on standard error");
+  app.callback([options, &command] { command = [options] { return power(*options); }; });
+}
+
 std::string on_one_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
   return text;
@@ -173,6 +214,7 @@ int run_command_line(int argc, char const* const* argv) {
   declare_verify(program, command);
   declare_study(program, command);
   declare_diagnose(program, command);
+  declare_power(program, command);
   try {
     program.parse(argc, argv);
   } catch (CLI::Success const& help_or_version) {

@@ -73,11 +73,27 @@ struct DiagnoseOptions {
   bool quiet = false;
 };
 
+struct PowerOptions {
+  CaseChoice choice;
+  std::filesystem::path folder;                   ///< empty: power/<case>
+  std::vector<std::filesystem::path> simulations; ///< run folders of the case; none: it is run
+  std::string speed, end_gap; ///< of the planned runs; empty: 1 mm/min, the case's own gap
+  std::string force_sd, pressure_sd, height_sd, ejection_sd; ///< of a reading; empty: usual ones
+  double reading_rate = 10.0;                                ///< [1/s], of the logger
+  int n_repeats = 1;                                         ///< of each planned run
+  std::size_t n_grains = 0; ///< as so many packings scatter; 0: as those of the simulation
+  double modulus_sd = 0.3, cohesion_sd = 0.5; ///< of the sheet's values, relative [1]
+  int threads = 0;
+  bool overwrite = false;
+  bool quiet = false;
+};
+
 int run(RunOptions const& options);
 int check(CaseChoice const& choice);
 int resume(ResumeOptions const& options);
 int compare(CompareOptions const& options);
 int diagnose(DiagnoseOptions const& options);
+int power(PowerOptions const& options);
 int report(std::filesystem::path const& folder);
 int study(StudyOptions const& options);
 int defaults(DefaultsFormat format);

@@ -18,11 +18,12 @@ void validate(CandidateMeasurement const& one, Index n_calibrated, Index n_mecha
   auto const n = one.baseline.size();
   VALIDATE(one.cost > 0.0, fmt::format("{}: costs {:g} (a cost is positive). What does it take?",
                                        one.name, one.cost));
-  VALIDATE(n > 0 && one.calibrated.rows() == n && one.calibrated.cols() == n_calibrated &&
-               one.effects.rows() == n && one.effects.cols() == n_mechanisms &&
-               one.covariance.rows() == n && one.covariance.cols() == n,
-           fmt::format("{}: has {} rows, but changes or covariances of other sizes ({} calibrated "
-                       "parameters, {} mechanisms). Was it made for this model?",
+  VALIDATE(n > 0 && static_cast<Index>(one.places.size()) == n && one.calibrated.rows() == n &&
+               one.calibrated.cols() == n_calibrated && one.effects.rows() == n &&
+               one.effects.cols() == n_mechanisms && one.covariance.rows() == n &&
+               one.covariance.cols() == n,
+           fmt::format("{}: has {} rows, but places, changes or covariances of other sizes ({} "
+                       "calibrated parameters, {} mechanisms). Was it made for this model?",
                        one.name, n, n_calibrated, n_mechanisms));
 }
 
@@ -70,6 +71,41 @@ PredictedOutcome outcome_of(CandidateMeasurement const& extra, Fit const& baseli
           extra.covariance.diagonal().cwiseSqrt()};
 }
 
+/// Largest difference between two outcomes in a row, in standard deviations of it.
+double contrast(std::vector<PredictedOutcome> const& outcomes, Index row) {
+  auto const [low, high] = std::ranges::minmax(
+      outcomes, {}, [&](PredictedOutcome const& one) { return one.value[row]; });
+  return (high.value[row] - low.value[row]) / low.sd[row];
+}
+
+/// Of each channel the row in which the outcomes differ most, channels in the order of their first
+/// rows.
+std::vector<Index> telling_rows(CandidateMeasurement const& extra,
+                                std::vector<PredictedOutcome> const& outcomes) {
+  std::vector<Index> rows;
+  auto const channel_of = [&](Index row) {
+    return extra.places[static_cast<std::size_t>(row)].channel;
+  };
+  for (Index row = 0; row < extra.baseline.size(); ++row) {
+    auto const known = std::ranges::find(rows, channel_of(row), channel_of);
+    if (known == rows.end())
+      rows.push_back(row);
+    else if (contrast(outcomes, row) > contrast(outcomes, *known))
+      *known = row;
+  }
+  return rows;
+}
+
+/// Outcomes of all rows cut to the telling ones.
+void foretell(CandidateMeasurement const& extra, std::vector<PredictedOutcome> const& outcomes,
+              MeasurementAdvice& advice) {
+  auto const rows = telling_rows(extra, outcomes);
+  for (Index const row : rows)
+    advice.readings.push_back(extra.places[static_cast<std::size_t>(row)]);
+  for (auto const& one : outcomes)
+    advice.outcomes.push_back({one.mechanism, one.value(rows), one.sd(rows)});
+}
+
 } // namespace
 
 std::vector<MeasurementAdvice>
@@ -86,14 +122,16 @@ next_measurements(Fit const& baseline, SignatureLibrary const& library,
     validate(one, baseline.unknowns.size(), static_cast<Index>(library.signatures.size()));
     double const after = least_separation(widened(library, baseline, one), possible);
     advice.push_back({.name = one.name,
-                      .unit = one.unit,
                       .cost = one.cost,
                       .before = least_separation(library, possible),
                       .after = after,
                       .is_enough = after >= separable,
+                      .readings = {},
                       .outcomes = {}});
+    std::vector<PredictedOutcome> outcomes;
     for (auto const& cause : possible)
-      advice.back().outcomes.push_back(outcome_of(one, baseline, library, cause));
+      outcomes.push_back(outcome_of(one, baseline, library, cause));
+    foretell(one, outcomes, advice.back());
   }
   std::ranges::stable_sort(advice, std::greater{}, [](MeasurementAdvice const& one) {
     return std::pair(one.is_enough, one.after / one.cost);

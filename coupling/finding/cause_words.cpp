@@ -130,7 +130,7 @@ std::string capitalised(std::string text) {
 }
 
 std::string channel_in_words(std::string_view channel) {
-  constexpr std::array<std::pair<std::string_view, std::string_view>, 10> words{
+  constexpr std::array<std::pair<std::string_view, std::string_view>, 12> words{
       {{"upper_punch_force", "force on the upper punch"},
        {"lower_punch_force", "force on the lower punch"},
        {"wall_radial_pressure", "pressure on the die wall"},
@@ -140,6 +140,8 @@ std::string channel_in_words(std::string_view channel) {
        {"compact_mass", "mass of the compact"},
        {"compact_diameter", "diameter of the compact"},
        {"max_force", "largest force"},
+       {"gap_at_peak", "gap between the punches at the largest force"},
+       {"dead_weight", "reading under the dead weight"},
        {"all", "all channels together"}}};
   auto const at = std::ranges::find(words, channel, [](auto const& one) { return one.first; });
   return at == words.end() ? spaced(channel) : std::string(at->second);

@@ -79,13 +79,18 @@ Json foretold_json(Foretold const& one) {
   return {{"cause", one.cause}, {"value", numbers(one.value)}, {"sd", numbers(one.sd)}};
 }
 
+Json reading_json(Reading const& one) {
+  return {
+      {"channel", one.channel}, {"unit", one.unit}, {"phase", one.phase}, {"gap", number(one.gap)}};
+}
+
 Json measurement_json(Measurement const& one) {
   return {{"name", one.name},
           {"cost", number(one.cost)},
           {"separation_before", number(one.before)},
           {"separation_after", number(one.after)},
           {"enough", one.is_enough},
-          {"unit", one.unit},
+          {"readings", list(one.readings, reading_json)},
           {"predictions", list(one.outcomes, foretold_json)}};
 }
 

@@ -75,11 +75,15 @@ void add_causes(Diagnosis const& found, FindingSources const& sources, Finding& 
 Measurement measurement_of(diagnosis::MeasurementAdvice const& advice,
                            FindingSources const& sources) {
   Measurement one{.name = advice.name,
-                  .unit = advice.unit,
                   .cost = advice.cost,
                   .before = advice.before,
                   .after = advice.after,
                   .is_enough = advice.is_enough};
+  for (auto const& place : advice.readings)
+    one.readings.push_back({.channel = place.channel,
+                            .unit = place.unit,
+                            .phase = std::string(name_of(place.phase)),
+                            .gap = place.gap});
   for (auto const& outcome : advice.outcomes)
     one.outcomes.push_back({.cause = mechanism_name(sources, outcome.mechanism),
                             .value = as_vector(outcome.value),

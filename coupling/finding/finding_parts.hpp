@@ -59,17 +59,24 @@ struct FoundCause {
   double size() const { return parameters.empty() ? not_known : parameters.front().value; }
 };
 
-/// What one cause foretells of a measurement, in the order of its rows.
+/// What one cause foretells of a measurement, in the order of its readings.
 struct Foretold {
   std::string cause;
-  std::vector<double> value, sd; ///< [unit of the measurement]
+  std::vector<double> value, sd; ///< [units of the readings]
+};
+
+/// Where to look in a measurement.
+struct Reading {
+  std::string channel, unit, phase;
+  double gap; ///< [m]
 };
 
 struct Measurement {
-  std::string name, unit;
+  std::string name;
   double cost;          ///< minutes, or what the catalogue counts in
   double before, after; ///< [1], separation of the nearest two causes, standard uncertainties
   bool is_enough;       ///< that all causes are told apart
+  std::vector<Reading> readings = {}; ///< one a channel, where the causes differ most
   std::vector<Foretold> outcomes = {};
 };
 

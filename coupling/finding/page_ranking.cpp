@@ -42,27 +42,38 @@ std::string cause_row(FoundCause const& cause) {
          "<td>" + escape_html(cause.plausibility + further) + "</td></tr>\n";
 }
 
-/// `12 ± 9 N`; several rows of a measurement one after the other.
-std::string foretold_in_words(Foretold const& one, std::string const& unit) {
-  std::vector<std::string> parts;
-  for (std::size_t k = 0; k < one.value.size(); ++k)
-    parts.push_back(
-        fmt::format("{} ± {}", format_quantity(one.value[k], unit, 4),
-                    format_quantity(k < one.sd.size() ? one.sd[k] : not_known, unit, 4)));
-  return fmt::format("{}", fmt::join(parts, "; "));
+/// `force on the lower punch while opening, at a gap of 8.200 mm`
+std::string reading_in_words(Reading const& one) {
+  auto const channel = channel_in_words(one.channel);
+  return one.phase == "after"
+             ? channel
+             : fmt::format("{} while {}, at a gap of {}", channel, phase_in_words(one.phase),
+                           format_quantity(one.gap, "m", 4));
+}
+
+/// `12 ± 9 N`
+std::string foretold_in_words(Foretold const& one, std::size_t k, std::string const& unit) {
+  if (k >= one.value.size() || k >= one.sd.size())
+    return "";
+  return fmt::format("{} ± {}", format_quantity(one.value[k], unit, 4),
+                     format_quantity(one.sd[k], unit, 2));
 }
 
 std::string measurement_html(Measurement const& one, std::size_t rank) {
-  std::vector<TableRow> rows;
+  std::vector<std::string> header{"It will read"};
   for (auto const& outcome : one.outcomes)
-    rows.push_back({{{"If " + words_of(outcome.cause)},
-                     {"it will read " + foretold_in_words(outcome, one.unit)}},
-                    ""});
+    header.push_back("if " + words_of(outcome.cause));
+  std::vector<TableRow> rows;
+  for (std::size_t k = 0; k < one.readings.size(); ++k) {
+    rows.push_back({{{reading_in_words(one.readings[k])}}, ""});
+    for (auto const& outcome : one.outcomes)
+      rows.back().cells.push_back({foretold_in_words(outcome, k, one.readings[k].unit), true});
+  }
   return fmt::format("<h3>{}. {}<small>{}; now {:.1f} standard uncertainties apart, then {:.1f}; "
                      "cost {:g}</small></h3>\n<div class=\"scroll\">{}</div>\n",
                      rank, escape_html(one.name),
                      one.is_enough ? "tells them apart" : "does not tell all of them apart",
-                     one.before, one.after, one.cost, table_html({}, rows));
+                     one.before, one.after, one.cost, table_html(header, rows));
 }
 
 } // namespace

@@ -1,5 +1,6 @@
 #include "coupling/reduced/measurement_catalogue.hpp"
 
+#include "coupling/measured/channel_kinds.hpp"
 #include "coupling/reduced/compact.hpp"
 
 #include <algorithm>
@@ -20,11 +21,12 @@ constexpr double minute = 60.0;
 
 /// A measurement in words and as what is pressed and read.
 struct Proposal {
-  std::string name, unit;
+  std::string name;
   double cost; ///< min
   PressProtocol press;
   std::vector<std::string> channels; ///< curves
   std::string scalar;                ///< or one number
+  std::string unit;                  ///< of that
   double sd;                         ///< of that
 };
 
@@ -118,17 +120,17 @@ std::vector<Proposal> proposals(measured::MeasuredData const& data) {
     if (has(channel))
       gauges.emplace_back(channel);
   std::vector<Proposal> all;
-  auto const gauge = [&](char const* name, char const* channel, char const* unit, double cost) {
+  auto const gauge = [&](char const* name, char const* channel, double cost) {
     if (!has(channel))
-      all.push_back({name, unit, cost, base, {channel}, "", 0.0});
+      all.push_back({name, cost, base, {channel}, "", "", 0.0});
   };
   auto const number = [&](char const* name, char const* scalar, char const* unit, double cost,
                           double sd) {
     if (!has(scalar))
-      all.push_back({name, unit, cost, base, {}, scalar, sd});
+      all.push_back({name, cost, base, {}, scalar, unit, sd});
   };
-  gauge("force on the lower punch", "lower_punch_force", "N", 10.0);
-  gauge("radial pressure on the die", "wall_radial_pressure", "Pa", 20.0);
+  gauge("force on the lower punch", "lower_punch_force", 10.0);
+  gauge("radial pressure on the die", "wall_radial_pressure", 20.0);
   number("height of the compact, by caliper", "compact_height", "m", 2.0, 20e-6);
   number("mass of the compact, by balance", "compact_mass", "kg", 2.0, 5e-6);
   number("diameter of the die, by bore gauge", "compact_diameter", "m", 3.0, 5e-6);
@@ -136,7 +138,7 @@ std::vector<Proposal> proposals(measured::MeasuredData const& data) {
   number("gap between the punches at the largest force, by gauge", "gap_at_peak", "m", 15.0, 5e-6);
   number("load cell under a dead weight of 10 kN", "dead_weight", "N", 15.0, 10.0);
   auto const pressing = [&](char const* name, double cost, auto change) {
-    all.push_back({name, "N", cost, with(change), gauges, "", 0.0});
+    all.push_back({name, cost, with(change), gauges, "", "", 0.0});
   };
   pressing("a dwell of 60 s at the end gap", 3.0, [](auto& p) { p.dwell = 60.0; });
   pressing("a dwell of 600 s at the end gap", 12.0, [](auto& p) { p.dwell = 600.0; });
@@ -162,6 +164,23 @@ ChannelError error_of(std::string const& channel, std::vector<ChannelError> cons
   return like_upper;
 }
 
+/// Where the rows of a pressing are read.
+std::vector<diagnosis::ReadingPlace> places_of(PlannedRun const& run, Proposal const& proposal) {
+  std::vector<diagnosis::ReadingPlace> all;
+  for (auto const& block : run.blocks)
+    for (auto const& row : block.rows) {
+      auto const* const kind = measured::find_kind(measured::channel_kinds(), block.channel);
+      bool const is_scalar = block.phase == Phase::after;
+      all.push_back(
+          {.channel = block.channel,
+           .unit = is_scalar || !kind ? proposal.unit : std::string(describe(kind->physical).si),
+           .phase = block.phase,
+           .gap =
+               is_scalar ? turning_of(run.course).gap : run.course.at(run.times[row.places[0]])});
+    }
+  return all;
+}
+
 CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
                                std::vector<ChannelError> const& channels,
                                diagnosis::ErrorSources const& sources,
@@ -170,7 +189,8 @@ CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
   sort_times(pressing.run);
   auto const model =
       of.with_plan({.runs = {pressing.run}, .gap_is_of_faces = of.plan().gap_is_of_faces});
-  CandidateMeasurement result{.name = proposal.name, .unit = proposal.unit, .cost = proposal.cost};
+  CandidateMeasurement result{
+      .name = proposal.name, .cost = proposal.cost, .places = places_of(pressing.run, proposal)};
   result.baseline = model.predict(at);
   auto const n = result.baseline.size();
   // Slopes as finite differences over a tenth of a prior size, where laws are nearly straight.

@@ -169,20 +169,21 @@ inline Finding undecided() {
   finding.placebo.reset();
   finding.measurements = {
       {.name = "hold at 25 kN for 60 s, fall of the upper force",
-       .unit = "N",
        .cost = 2.0,
        .before = 1.4,
        .after = 9.8,
        .is_enough = true,
+       .readings = {{"upper_punch_force", "N", "dwell", 8e-3}},
        .outcomes = {{"frame_compliance", {12.0}, {9.0}}, {"force_lag", {310.0}, {28.0}}}},
       {.name = "gap gauge at the punch faces",
-       .unit = "m",
        .cost = 15.0,
        .before = 1.4,
        .after = 2.9,
        .is_enough = false,
-       .outcomes = {{"frame_compliance", {4.5e-4, 2.1e-4}, {8e-6, 8e-6}},
-                    {"force_lag", {2e-5, 1e-5}, {8e-6, 8e-6}}}}};
+       .readings = {{"gap_at_peak", "m", "after", 8e-3},
+                    {"lower_punch_force", "N", "unloading", 8.2e-3}},
+       .outcomes = {{"frame_compliance", {4.5e-4, 12e3}, {8e-6, 30.0}},
+                    {"force_lag", {2e-5, 11e3}, {8e-6, 30.0}}}}};
   return finding;
 }
 

@@ -112,3 +112,35 @@ TEST(CaseDiagnosis, NamesASoftFrameAndMeasuresTheGain) {
   auto const placebo = std::ranges::find(found.placebo->channels, "all", &ChannelGained::channel);
   EXPECT_GT(placebo->after, all->after);
 }
+
+/// The upper force alone cannot tell a wrong zero of the gap from what does the same to the bed.
+TEST(CaseDiagnosis, ForetellsTheNextMeasurementInTheUnitsOfItsReadings) {
+  Case const setup = parse_case("set Title = Test\n", "case.prm");
+  auto data = laboratory({.frame = {.gap_offset = 2.5e-4}});
+  data.channels.pop_back();
+  for (auto& run : data.runs)
+    run.series.erase("lower_punch_force");
+  auto const simulation = simulated();
+  auto const found =
+      CaseDiagnosis({.setup = setup, .data = data, .simulated = simulation, .provenance = {}})
+          .finding();
+  ASSERT_EQ(found.verdict, "undecided");
+  ASSERT_GE(found.measurements.size(), 10u);
+  for (auto const& one : found.measurements) {
+    ASSERT_EQ(one.readings.size(), 1u) << one.name; // a channel or a number each
+    auto const& reading = one.readings.front();
+    EXPECT_EQ(reading.unit,
+              reading.channel == "wall_radial_pressure"                                 ? "Pa"
+              : reading.channel == "compact_mass"                                       ? "kg"
+              : reading.channel.ends_with("_force") || reading.channel == "dead_weight" ? "N"
+                                                                                        : "m")
+        << reading.channel;
+    double const least = one.name == "a run to an end gap 5 % larger" ? 8.4e-3 : 8e-3;
+    EXPECT_GE(reading.gap, least * (1.0 - 1e-6)) << one.name;
+    EXPECT_LE(reading.gap, reading.phase == "after" ? least * (1.0 + 1e-6) : 11e-3) << one.name;
+    for (auto const& outcome : one.outcomes) {
+      ASSERT_EQ(outcome.value.size(), 1u);
+      EXPECT_GT(outcome.sd.front(), 0.0);
+    }
+  }
+}

@@ -67,6 +67,42 @@ TEST(CommandLine, DiagnosesOnlyWhatIsThere) {
   expect_refused(run({"diagnose", of}), "measured");
 }
 
+TEST(CommandLine, TellsThePowerOfInstrumentsBeforeAnythingIsMeasured) {
+  ScratchFolder scratch;
+  auto const folder = (scratch / "power").string();
+  auto const outcome = run({"power", tiny_case(), "-o", folder, "--quiet", "--threads", "1"});
+  ASSERT_EQ(outcome.status, 0) << outcome.error;
+  for (auto const* line : {"A: upper force, one run; 42 rows; 1 mm/min to 4.4 mm", "force_offset",
+                           "Sensors: forces 12 N", "1 mm/min to 4.4 mm and 60 s there"})
+    EXPECT_NE(outcome.out.find(line), std::string::npos) << line;
+  for (auto const* file : {"power.json", "power.md", "simulation/curves.csv"})
+    EXPECT_TRUE(fs::exists(scratch / "power" / file)) << file;
+  EXPECT_NE(support::bytes_of(scratch / "power/power.md").find("| cause | prior size | A | D |"),
+            std::string::npos);
+  // The simulation is taken again, with other instruments.
+  auto const simulation = (scratch / "power/simulation").string();
+  auto const of = [&](std::vector<std::string> const& further) {
+    std::vector<std::string> arguments{"power",    tiny_case(), "--simulation",
+                                       simulation, "-o",        (scratch / "again").string()};
+    arguments.insert(arguments.end(), further.begin(), further.end());
+    return run(arguments);
+  };
+  expect_refused(of({"--speed", "1 kg"}), "--speed 1 kg: has a unit that does not fit");
+  expect_refused(of({"--force-sd", "-1 N"}), "--force-sd -1 N: -1 is not positive");
+  expect_refused(of({"--end-gap", "7.9 mm"}), "set A: the bed does not bear at a gap of 0.0079 m");
+  expect_refused(of({"--repeats", "0"}), "--repeats");
+  expect_refused(run({"power"}), "case");
+  expect_refused(run({"power", "nocase.prm"}), "nocase.prm");
+  expect_refused(run({"power", tiny_case(), "--simulation", "nowhere"}), "nowhere/case.resolved");
+  expect_refused(run({"power", tiny_case(), "-o", folder}), "is not empty");
+  EXPECT_FALSE(fs::exists(scratch / "again"));
+  auto const coarse = of({"--force-sd", "1 kN", "--repeats", "3", "--grains", "5000"});
+  ASSERT_EQ(coarse.status, 0) << coarse.error;
+  EXPECT_NE(coarse.out.find("forces 1000 N"), std::string::npos);
+  EXPECT_NE(coarse.out.find("each run the mean of 3"), std::string::npos);
+  EXPECT_NE(coarse.out.find("one packing, scattering as 5000 grains do"), std::string::npos);
+}
+
 TEST(CommandLine, DefaultsListEveryEntry) {
   auto const outcome = run({"defaults"});
   EXPECT_EQ(outcome.status, 0);

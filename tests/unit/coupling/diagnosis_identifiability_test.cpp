@@ -92,8 +92,8 @@ TEST(NextMeasurement, IsTheOneThatSeparatesByItsCost) {
   }
   auto const candidate = [](std::string name, double cost, double first, double second) {
     return CandidateMeasurement{.name = std::move(name),
-                                .unit = "m",
                                 .cost = cost,
+                                .places = {{.channel = "punch_gap", .unit = "m"}},
                                 .baseline = VectorXd{{2.0}},
                                 .calibrated = MatrixXd{{0.3}},
                                 .effects = MatrixXd{{first, second}},
@@ -118,14 +118,55 @@ TEST(NextMeasurement, IsTheOneThatSeparatesByItsCost) {
   EXPECT_NEAR(advice[0].outcomes[0].sd[0], 0.2, 1e-12);
 }
 
+TEST(NextMeasurement, ForetellsEachChannelWhereTheCausesDifferMost) {
+  Plane const plane(MatrixXd{{10.0, 10.0}, {0.0, 0.0}, {0.0, 0.0}});
+  std::vector<PossibleCause> possible;
+  for (int const j : {0, 1}) {
+    Comparison data = plane.comparison;
+    data.target = VectorXd{{10.0 + 1.0 / 10.0, 0.0, 0.0}}; // size 1 with its prior
+    possible.push_back({j, fit_hypothesis(data, {j}, VectorXd::Zero(1))});
+  }
+  // Force in two phases, pressure between them. Standardised differences: 3 / 1, 8 / 4, 5 / 1 in
+  // the force, so its last row; 2e5 / 1e5, 6e5 / 1e5 in the pressure.
+  auto const at = [](char const* channel, char const* unit, Phase phase, double gap) {
+    return ReadingPlace{.channel = channel, .unit = unit, .phase = phase, .gap = gap};
+  };
+  CandidateMeasurement const run{
+      .name = "another run",
+      .cost = 1.0,
+      .places = {at("upper_punch_force", "N", Phase::loading, 9e-3),
+                 at("upper_punch_force", "N", Phase::loading, 8e-3),
+                 at("wall_radial_pressure", "Pa", Phase::loading, 9e-3),
+                 at("wall_radial_pressure", "Pa", Phase::loading, 8e-3),
+                 at("upper_punch_force", "N", Phase::unloading, 8.2e-3)},
+      .baseline = VectorXd{{100.0, 200.0, 1e6, 2e6, 50.0}},
+      .calibrated = MatrixXd(5, 0),
+      .effects = MatrixXd{{3.0, 0.0}, {0.0, 8.0}, {2e5, 0.0}, {0.0, 6e5}, {-5.0, 0.0}},
+      .covariance = VectorXd{{1.0, 16.0, 1e10, 1e10, 1.0}}.asDiagonal()};
+  auto const advice = next_measurements(plane.baseline, plane.library, possible, {run});
+  ASSERT_EQ(advice[0].readings.size(), 2u);
+  EXPECT_EQ(advice[0].readings[0].channel, "upper_punch_force");
+  EXPECT_EQ(advice[0].readings[0].phase, Phase::unloading);
+  EXPECT_EQ(advice[0].readings[0].gap, 8.2e-3);
+  EXPECT_EQ(advice[0].readings[1].unit, "Pa");
+  EXPECT_EQ(advice[0].readings[1].gap, 8e-3);
+  ASSERT_EQ(advice[0].outcomes.size(), 2u);
+  double const size = possible[0].fit.at.sizes[0];
+  EXPECT_NEAR(size, 1.0, 1e-6);
+  EXPECT_NEAR(advice[0].outcomes[0].value[0], 50.0 - 5.0 * size, 1e-9);
+  EXPECT_NEAR(advice[0].outcomes[1].value[0], 50.0, 1e-9);
+  EXPECT_NEAR(advice[0].outcomes[1].value[1], 2.6e6, 1.0);
+  EXPECT_NEAR(advice[0].outcomes[1].sd[1], 1e5, 1e-6);
+}
+
 TEST(NextMeasurement, RefusesWhatDoesNotFit) {
   Plane const plane(MatrixXd{{10.0, 10.0}, {0.0, 0.0}, {0.0, 0.0}});
   std::vector<PossibleCause> possible;
   for (int const j : {0, 1})
     possible.push_back({j, fit_hypothesis(plane.comparison, {j}, VectorXd::Zero(1))});
   CandidateMeasurement good{.name = "gap gauge",
-                            .unit = "m",
                             .cost = 1.0,
+                            .places = {{.channel = "punch_gap", .unit = "m"}},
                             .baseline = VectorXd{{2.0}},
                             .calibrated = MatrixXd(1, 0),
                             .effects = MatrixXd{{1.0, 0.0}},
@@ -144,4 +185,7 @@ TEST(NextMeasurement, RefusesWhatDoesNotFit) {
   bad = good;
   bad.effects = MatrixXd{{1.0}};
   EXPECT_NE(refused(bad, 2).find("2 mechanisms"), std::string::npos);
+  bad = good;
+  bad.places.clear();
+  EXPECT_NE(refused(bad, 2).find("has 1 rows, but places"), std::string::npos);
 }

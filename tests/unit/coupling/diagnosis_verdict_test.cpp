@@ -86,8 +86,8 @@ TEST(Verdict, GivesTheGroupOfConfoundedCausesAndTheMeasurementThatSplitsIt) {
         {j, refit_with(found.comparison, found.baseline_in_common, found.library, j)});
   // A gauge between the punch faces at 29 kN: offset and stretch, 2 um.
   CandidateMeasurement gauge{.name = "gap gauge",
-                             .unit = "m",
                              .cost = 1.0,
+                             .places = {{.channel = "punch_gap", .unit = "m"}},
                              .baseline = VectorXd{{9.5e-3}},
                              .calibrated = MatrixXd::Zero(1, 2),
                              .effects = MatrixXd::Zero(1, 8),

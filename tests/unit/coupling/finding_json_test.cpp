@@ -106,6 +106,13 @@ TEST(FindingJson, ForetellsTheNextMeasurement) {
   EXPECT_EQ(next[0]["predictions"][1]["cause"], "force_lag");
   EXPECT_EQ(next[0]["predictions"][1]["value"][0], 310.0);
   EXPECT_EQ(next[0]["predictions"][1]["sd"][0], 28.0);
+  // Force and pressure do not share a unit.
+  ASSERT_EQ(next[1]["readings"].size(), 2u);
+  EXPECT_EQ(next[1]["readings"][0]["unit"], "m");
+  EXPECT_EQ(next[1]["readings"][1]["channel"], "lower_punch_force");
+  EXPECT_EQ(next[1]["readings"][1]["unit"], "N");
+  EXPECT_EQ(next[1]["readings"][1]["phase"], "unloading");
+  EXPECT_EQ(next[1]["readings"][1]["gap"], 8.2e-3);
 }
 
 TEST(FindingJson, WritesNoNumberThatIsNone) {

@@ -45,8 +45,12 @@ TEST(FindingPage, ForetellsWhatTheNextMeasurementReads) {
                         "behind."));
   EXPECT_TRUE(has(page, "1. hold at 25 kN for 60 s, fall of the upper force"));
   EXPECT_TRUE(has(page, "tells them apart; now 1.4 standard uncertainties apart, then 9.8"));
-  EXPECT_TRUE(has(page, "If the load cell lags behind"));
-  EXPECT_TRUE(has(page, "it will read 310.0 N ± 28.00 N"));
+  EXPECT_TRUE(has(page, "<th scope=\"col\" class=\"number\">if the load cell lags behind</th>"));
+  EXPECT_TRUE(has(page, "force on the upper punch while holding, at a gap of 8.000 mm</th><td "
+                        "class=\"number\">12.00 N ± 9.0 N</td><td class=\"number\">310.0 N ± "
+                        "28.0 N</td>"));
+  EXPECT_TRUE(has(page, "gap between the punches at the largest force</th><td class=\"number\">"
+                        "450.0 µm ± 8.0 µm</td>"));
   EXPECT_TRUE(has(page, "Compliance of the press frame does the same to these data as lag of the "
                         "load cell."));
 }
@@ -104,7 +108,8 @@ TEST(FindingPage, EscapesWhatPeopleWrote) {
   finding.not_modelled.push_back(hostile);
   finding.group.push_back(hostile);
   finding.extension.push_back({hostile, hostile, hostile, hostile});
-  finding.measurements[0].name = finding.measurements[0].unit = hostile;
+  finding.measurements[0].name = finding.measurements[0].readings[0].channel = hostile;
+  finding.measurements[0].readings[0].unit = finding.measurements[0].readings[0].phase = hostile;
   finding.gain = sample::gain(hostile, 0.5, 3.0);
   for (auto& cause : finding.causes)
     cause.name = cause.plausibility = hostile;
