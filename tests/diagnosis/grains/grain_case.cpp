@@ -1,0 +1,78 @@
+#include "tests/diagnosis/grains/grain_case.hpp"
+
+#include "tests/diagnosis/hide/counter_stream.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <vector>
+
+namespace hidden {
+namespace {
+
+/// Causes that this code and bed can show at that lambda, in turn.
+std::vector<GrainCause> within_reach(Foretold const& foretold, Code code, double lambda) {
+  std::vector<GrainCause> all;
+  for (auto const& cause : grain_causes())
+    if ((code == Code::own || cause.is_in_peer) &&
+        foretold.per_unit(cause.effect) * cause.largest >= lambda)
+      all.push_back(cause);
+  if (all.empty())
+    throw std::invalid_argument(
+        fmt::format("no cause reaches lambda {:g} on this bed. A smaller one?", lambda));
+  return all;
+}
+
+GrainCause chosen(GrainWish const& wish, Foretold const& foretold, Code code) {
+  auto const all = within_reach(foretold, code, wish.lambda);
+  if (!wish.cause)
+    return all[wish.seed % all.size()];
+  auto const at = std::ranges::find(all, *wish.cause, &GrainCause::effect);
+  if (at == all.end())
+    throw std::invalid_argument(fmt::format("{} does not reach lambda {:g} on this bed. Another "
+                                            "cause, or a smaller lambda?",
+                                            kind_of(*wish.cause).name, wish.lambda));
+  return *at;
+}
+
+void hide_cause(GrainCase& in, GrainCause const& cause, double size) {
+  in.cause = cause.effect;
+  in.size = cause.has_scale ? size : 0.0;
+  if (cause.place == Place::grains)
+    in.press = with_cause(in.press, cause.effect, size);
+  else
+    in.effects = in.effects.with(cause.effect, size);
+  // The powder and the die are what they are; the laboratory has other numbers on its sheet.
+  if (cause.effect == Effect::mass_error)
+    in.stated_mass_share /= 1.0 + size;
+  if (cause.effect == Effect::die_size)
+    in.stated_bore -= size;
+}
+
+} // namespace
+
+GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code code) {
+  CounterStream powder(wish.seed, Purpose::powder), repeat(wish.seed, Purpose::repeat),
+      draw(wish.seed, Purpose::size);
+  GrainCase drawn{.seed = wish.seed, .press = {}, .scatter = {}, .effects = {}};
+  drawn.press.packing = wish.seed;
+  drawn.press.young_modulus *= 1.0 + powder.uniform(-0.15, 0.15);
+  drawn.press.cohesion_density *= 1.0 + powder.uniform(-0.3, 0.3);
+  drawn.stated_mass_share = 1.0 + 0.003 * repeat.normal();
+  drawn.scatter = {.zero = 8e-6 * repeat.normal(), .cell_zero = 0.3 * repeat.normal()};
+  drawn.stated_bore = stated_bore;
+  if (wish.is_clean)
+    return drawn;
+  auto const cause = chosen(wish, *foretold, code);
+  bool const is_negative = draw.uniform() < 0.5 && !kind_of(cause.effect).is_one_sided;
+  double size = wish.lambda / foretold->per_unit(cause.effect);
+  drawn.lambda = wish.lambda;
+  // Friction between grains is 0.2 and has no other sign.
+  double const least = cause.place == Place::grains ? -0.15 : -1e300;
+  size = is_negative && -size > least ? -size : size;
+  hide_cause(drawn, cause, size);
+  return drawn;
+}
+
+} // namespace hidden
