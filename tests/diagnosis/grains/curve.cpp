@@ -75,6 +75,36 @@ double Curve::peak() const {
   return std::ranges::max_element(loading, {}, &Pressed::upper)->upper;
 }
 
+Curve mean_of(std::vector<Curve> const& curves) {
+  Curve mean = curves.front();
+  auto const n = static_cast<double>(curves.size());
+  for (auto const stroke : {&Curve::loading, &Curve::unloading})
+    for (std::size_t k = 0; k < (mean.*stroke).size(); ++k) {
+      Pressed sum{};
+      for (auto const& curve : curves) {
+        if ((curve.*stroke).size() != (mean.*stroke).size())
+          throw std::runtime_error(
+              fmt::format("curves of {} and {} records have no mean. Are they of one case?",
+                          (curve.*stroke).size(), (mean.*stroke).size()));
+        auto const& at = (curve.*stroke)[k];
+        sum.height += at.height, sum.upper += at.upper, sum.lower += at.lower,
+            sum.radial += at.radial;
+      }
+      (mean.*stroke)[k] = {sum.height / n, sum.upper / n, sum.lower / n, sum.radial / n};
+    }
+  mean.compact_height = 0.0;
+  for (auto const& curve : curves)
+    mean.compact_height += curve.compact_height / n;
+  return mean;
+}
+
+Curve scaled(Curve curve, double factor) {
+  for (auto const stroke : {&Curve::loading, &Curve::unloading})
+    for (auto& at : curve.*stroke)
+      at.upper *= factor, at.lower *= factor, at.radial *= factor;
+  return curve;
+}
+
 Curve read_run(std::filesystem::path const& folder) {
   auto const file = folder / "curves.csv";
   auto stream = opened(file);

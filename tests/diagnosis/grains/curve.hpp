@@ -19,6 +19,14 @@ struct Curve {
   double peak() const;                     ///< largest upper force [N]
 };
 
+/// Mean of curves that were recorded at the same times.
+/// @throws std::runtime_error if their records differ in number
+Curve mean_of(std::vector<Curve> const& curves);
+
+/// The grains' modulus, their cohesion and the tools' modulus times a factor: forces alone grow, by
+/// that factor (no rate, no weight).
+Curve scaled(Curve curve, double factor);
+
 /// curves.csv of a run folder of presscheck (outward contract, section 4), as text: nothing of the
 /// project's own readers is used.
 /// @throws std::runtime_error if a column is missing or a number is none

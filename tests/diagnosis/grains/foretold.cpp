@@ -8,10 +8,13 @@
 namespace hidden {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double opened_gap = 8.3 * mm; ///< where the pilot turns that stands for a wider bed
 constexpr int n_closing = 24, n_opening = 16, n_channels = 3;
+constexpr Eigen::Index n_of_channel = n_closing + n_opening;
 
 /// Readings of one channel at given gaps, linear between the moments of a stroke.
 VectorXd at_gaps(std::vector<Moment> const& stroke, double Moment::*reading,
@@ -44,6 +47,22 @@ std::vector<double> gaps_of(std::vector<Pressed> const& stroke, double peak, int
   return gaps;
 }
 
+/// The same bed when the punch turns before it came down: loading to there, and unloading, which in
+/// heights over the lowest one and forces over the largest is the same from any turn near by.
+Curve turned_at(Curve const& curve, double gap) {
+  Curve early = curve;
+  while (early.loading.back().height < gap)
+    early.loading.pop_back();
+  auto const &turn = early.loading.back(), &was = curve.loading.back();
+  for (auto& at : early.unloading) {
+    at.height *= turn.height / was.height;
+    at.upper *= turn.upper / was.upper;
+    at.lower *= turn.lower / was.lower;
+    at.radial *= turn.radial / was.radial;
+  }
+  return early;
+}
+
 /// The same bed with another mass: stresses hang on the solid fraction alone.
 Curve with_mass(Curve curve, double share) {
   for (auto* stroke : {&curve.loading, &curve.unloading})
@@ -59,10 +78,6 @@ Curve with_bore(Curve curve, double share) {
     for (auto& at : *stroke)
       at.height /= area, at.upper *= area, at.lower *= area;
   return curve;
-}
-
-GrainPress pilot_press() {
-  return {.packing = 900};
 }
 
 } // namespace
@@ -81,121 +96,162 @@ VectorXd Foretold::rows(std::vector<Moment> const& moments) const {
   return all;
 }
 
-VectorXd Foretold::rows(Curve const& curve) const {
-  return rows(seen_by_machine(curve, {}, {}));
+Foretold::Curves Foretold::pilots(std::string const& change, GrainPress const& press) const {
+  Curves curves;
+  auto own = press;
+  for (int k = 0; k < n_pilots; ++k) {
+    own.packing = first_simulated + static_cast<std::uint64_t>(k);
+    curves.push_back(simulations_.curve(own, change));
+  }
+  return curves;
 }
 
-void Foretold::weigh(Curve const& opened, Curve const& rough_wall) {
+VectorXd Foretold::change_of(Curves const& curves, std::size_t k, Effects const& effects,
+                             Scatter const& scatter) const {
+  return rows(seen_by_machine(curves[k], effects, scatter)) -
+         rows(seen_by_machine(clean_[k], {}, {}));
+}
+
+VectorXd Foretold::moved(Curves const& curves, Effects const& effects,
+                         Scatter const& scatter) const {
+  VectorXd sum = VectorXd::Zero(base_.size());
+  for (std::size_t k = 0; k < curves.size(); ++k)
+    sum += change_of(curves, k, effects, scatter);
+  return sum / static_cast<double>(curves.size());
+}
+
+MatrixXd Foretold::gauge_covariance() const {
   Gauges const gauges;
-  constexpr Eigen::Index n = n_closing + n_opening;
-  auto const phase = [](Eigen::Index k) {
-    return k < n_closing ? 1.0 - (k + 0.5) / n_closing : 1.0 + (k - n_closing + 0.5) / n_opening;
-  };
-  Eigen::MatrixXd sigma = Eigen::MatrixXd::Zero(base_.size(), base_.size());
-  for (Eigen::Index i = 0; i < base_.size(); ++i) {
-    auto const& sensor = i < 2 * n ? gauges.force : gauges.pressure;
+  MatrixXd sigma = MatrixXd::Zero(base_.size(), base_.size());
+  for (Index i = 0; i < base_.size(); ++i) {
+    bool const is_force = i < 2 * n_of_channel;
+    auto const& sensor = is_force ? gauges.force : gauges.pressure;
+    // Onset and loss of contact are no Gaussian matter: wider there, as in `hide` of the peak.
     double const kink =
-        i < 2 * n ? 0.004 * clean_.peak() * std::exp(-std::abs(base_[i]) / (0.012 * clean_.peak()))
-                  : 0.0;
+        is_force ? 0.004 * peak_ * std::exp(-std::abs(base_[i]) / (0.012 * peak_)) : 0.0;
     sigma(i, i) = std::pow(std::hypot(sensor.at(base_[i]), kink), 2);
   }
-  // Every simulator: 0.3 % of a reading, Matern 3/2 over the cycle.
-  for (Eigen::Index i = 0; i < base_.size(); ++i)
-    for (Eigen::Index j = 0; j < base_.size(); ++j)
-      if (i / n == j / n) {
-        double const x = std::sqrt(3.0) * std::abs(phase(i % n) - phase(j % n)) / 0.4;
-        sigma(i, j) += 9e-6 * base_[i] * base_[j] * (1.0 + x) * std::exp(-x);
-      }
-  auto const add = [&](VectorXd const& repeat) { sigma += repeat * repeat.transpose(); };
-  double const share = 8 * mm / opened_gap - 1.0;
-  VectorXd const by_mass = (rows(with_mass(opened, share)) - base_) / share;
-  add(0.003 * by_mass);
-  add(0.0012 / 0.54 * by_mass); // an onset of the bed is a mass that counts for more
-  add((rows(rough_wall) - base_) * (0.03 * 0.2 / 0.1));
-  VectorXd const by_gap =
-      (rows(seen_by_machine(opened, {}, {.zero = opened_gap - 8 * mm})) - base_) /
-      (opened_gap - 8 * mm);
-  add(8e-6 * by_gap);
-  VectorXd zero = VectorXd::Zero(base_.size());
-  zero.head(n).setConstant(0.3);
-  add(zero);
-  root_.compute(sigma);
+  return sigma;
 }
 
-double Foretold::length(VectorXd const& moved) const {
-  VectorXd const white = root_.matrixL().solve(moved);
-  // Priors hold E and CED: a ridge instead of a bare projection.
-  Eigen::Matrix2d const normal = nuisance_.transpose() * nuisance_ + Eigen::Matrix2d::Identity();
-  return (white - nuisance_ * normal.ldlt().solve(nuisance_.transpose() * white)).norm();
-}
-
-Foretold::Foretold(Simulations const& simulations)
-    : simulations_(simulations), clean_(simulations.curve("pilot-clean", pilot_press())),
-      closing_(gaps_of(clean_.loading, clean_.peak(), n_closing)),
-      opening_(gaps_of(clean_.unloading, clean_.peak(), n_opening)), base_(rows(clean_)) {
-  auto const pilot = [&](std::string const& name, auto change) {
-    auto press = pilot_press();
-    change(press);
-    return simulations_.curve("pilot-" + name, press);
+MatrixXd Foretold::reading_kernel(double between_channels) const {
+  auto const phase = [](Index k) {
+    return k < n_closing ? 1.0 - (static_cast<double>(k) + 0.5) / n_closing
+                         : 1.0 + (static_cast<double>(k - n_closing) + 0.5) / n_opening;
   };
-  auto const opened = pilot("opened", [](auto& press) { press.end_gap = opened_gap; });
-  auto const wall = pilot("wall_friction", [](auto& press) { press.wall_friction = 0.3; });
-  weigh(opened, wall);
-  auto const stiff = pilot("young_modulus", [](auto& press) { press.young_modulus *= 1.1; });
-  auto const sticky = pilot("cohesion", [](auto& press) { press.cohesion_density *= 1.2; });
-  nuisance_.resize(base_.size(), 2);
-  nuisance_.col(0) = 0.15 / 0.1 * (rows(stiff) - base_);
-  nuisance_.col(1) = 0.3 / 0.2 * (rows(sticky) - base_);
-  nuisance_ = root_.matrixL().solve(nuisance_).eval();
-  chaos_ = length(rows(pilot("again", [](auto& press) { press.end_gap = 8.001 * mm; })) - base_);
-  for (int k = 1; k <= 5; ++k) {
-    auto const other = pilot(fmt::format("packing-{}", k),
-                             [&](auto& press) { press.packing = 900u + static_cast<unsigned>(k); });
-    packings_ += std::pow(length(rows(other) - base_), 2) / 5.0;
-  }
-  packings_ = std::sqrt(packings_);
-  lambda_per_unit_.assign(n_effects, 0.0);
-  for (auto const& cause : grain_causes()) {
-    if (simulations.code == Code::liggghts && !cause.is_in_peer)
-      continue;
-    double& found = lambda_per_unit_[static_cast<std::size_t>(cause.effect)];
-    if (cause.place != Place::grains) {
-      found = machine_lambda(cause.effect, opened);
-      continue;
+  MatrixXd kernel = MatrixXd::Zero(base_.size(), base_.size());
+  for (Index i = 0; i < base_.size(); ++i)
+    for (Index j = 0; j < base_.size(); ++j) {
+      double const x =
+          std::sqrt(3.0) * std::abs(phase(i % n_of_channel) - phase(j % n_of_channel)) / 0.4;
+      double const shared = i / n_of_channel == j / n_of_channel ? 1.0 : between_channels;
+      kernel(i, j) = shared * base_[i] * base_[j] * (1.0 + x) * std::exp(-x);
     }
-    auto const name = std::string(kind_of(cause.effect).name);
-    auto const with =
-        simulations_.curve("pilot-" + name, with_cause(pilot_press(), cause.effect, cause.trial));
-    double const seen = length(rows(with) - base_);
-    found = seen > 2.0 * chaos_ ? std::sqrt(seen * seen - chaos_ * chaos_) / cause.trial : 0.0;
+  return kernel;
+}
+
+MatrixXd Foretold::repeat_covariance(Curves const& opened, Curves const& rough_wall) const {
+  MatrixXd sigma = MatrixXd::Zero(base_.size(), base_.size());
+  auto const add = [&](VectorXd const& repeat) { sigma += repeat * repeat.transpose(); };
+  double const share = 8 * mm / opened_gap - 1.0, wider = opened_gap - 8 * mm;
+  Curves heavier;
+  for (auto const& curve : opened)
+    heavier.push_back(with_mass(curve, share));
+  add(0.003 / share * moved(heavier));
+  add(0.03 * 0.2 / 0.2 * moved(rough_wall));
+  add(8e-6 / wider * moved(opened, {}, {.zero = wider}));
+  VectorXd zero = VectorXd::Zero(base_.size());
+  zero.head(n_of_channel).setConstant(0.3);
+  add(zero);
+  return sigma;
+}
+
+void Foretold::find_bed_scatter(MatrixXd const& rest) {
+  std::vector<VectorXd> packings;
+  VectorXd mean = VectorXd::Zero(base_.size());
+  for (int k = 0; k < n_simulated; ++k) {
+    auto const press = GrainPress{.packing = first_simulated + static_cast<std::uint64_t>(k)};
+    packings.push_back(rows(seen_by_machine(simulations_.curve(press), {}, {})));
+    mean += packings.back() / n_simulated;
+  }
+  double best = -1e300;
+  for (double const shared : {0.0, 0.5, 0.8, 0.9, 0.95, 0.98, 0.99, 0.995}) {
+    auto const kernel = reading_kernel(shared);
+    for (double share = 2e-3; share < 0.2; share *= 1.15) {
+      Eigen::LLT<MatrixXd> const root(rest + share * share * kernel);
+      double likelihood =
+          -2.0 * (n_simulated - 1) * root.matrixLLT().diagonal().array().log().sum();
+      for (auto const& one : packings)
+        likelihood -= root.matrixL().solve(one - mean).squaredNorm();
+      if (likelihood > best)
+        best = likelihood, bed_scatter_ = share, bed_correlation_ = shared;
+    }
   }
 }
 
-double Foretold::machine_lambda(Effect effect, Curve const& opened) const {
-  double const wider = opened_gap - 8 * mm;
-  double size = grain_cause(effect)->trial;
-  VectorXd moved;
-  if (effect == Effect::mass_error) {
-    size = 8 * mm / opened_gap - 1.0;
-    moved = rows(with_mass(opened, size));
-  } else if (effect == Effect::die_size) {
-    double const share = std::sqrt(opened_gap / (8 * mm)) - 1.0;
-    size = share * stated_bore;
-    moved = rows(with_bore(opened, share));
-  } else {
-    bool const opens = size == 0.0; // the pilot is one in which the punch was held back
-    if (opens) {
-      auto const travel = 12 * mm / laboratory_speed;
-      size = effect == Effect::gap_offset ? wider
-             : effect == Effect::frame_compliance
-                 ? wider / (1.0227 * opened.peak())
-                 : wider / (1800.0 * -std::expm1(-travel / 1800.0));
-    }
-    moved = rows(seen_by_machine(opens ? opened : clean_, Effects().with(effect, size), {}));
-  }
-  double const seen = length(moved - base_);
-  double const noise = grain_cause(effect)->trial == 0.0 ? chaos_ : 0.0;
-  return seen > 2.0 * noise ? std::sqrt(seen * seen - noise * noise) / std::abs(size) : 0.0;
+VectorXd Foretold::projected(VectorXd const& change) const {
+  VectorXd const white = root_.matrixL().solve(change);
+  MatrixXd const absorbed = root_.matrixL().solve(nuisance_);
+  // Priors hold E and CED: a ridge instead of a bare projection.
+  Eigen::Matrix2d const normal = absorbed.transpose() * absorbed + Eigen::Matrix2d::Identity();
+  return white - absorbed * normal.ldlt().solve(absorbed.transpose() * white);
+}
+
+Foretold::Foretold(Simulations const& simulations, int n_packings)
+    : simulations_(simulations), clean_(pilots("", {})), peak_(clean_.front().peak()),
+      closing_(gaps_of(clean_.front().loading, peak_, n_closing)),
+      opening_(gaps_of(clean_.front().unloading, peak_, n_opening)),
+      base_(rows(seen_by_machine(clean_.front(), {}, {}))) {
+  Curves opened;
+  for (auto const& curve : clean_)
+    opened.push_back(turned_at(curve, opened_gap));
+  auto const wall = pilots("wall_friction-0.2", {.wall_friction = 0.4});
+  nuisance_.resize(base_.size(), 2);
+  nuisance_.col(0) = 0.15 / 0.1 * moved(pilots("young_modulus", {.young_modulus = 275e6}));
+  nuisance_.col(1) = 0.3 / 0.2 * moved(pilots("cohesion", {.cohesion_density = 6e6}));
+  MatrixXd const rest = gauge_covariance() + repeat_covariance(opened, wall);
+  find_bed_scatter(rest + nuisance_ * nuisance_.transpose());
+  double const of_means = bed_scatter_ * bed_scatter_ * (1.0 / n_packings + 1.0 / n_simulated);
+  root_.compute(rest + 9e-6 * reading_kernel(0.0) + of_means * reading_kernel(bed_correlation_));
+  lambda_per_unit_.assign(n_effects, 0.0);
+  for (auto const& cause : grain_causes())
+    if (simulations.code == Code::own || cause.is_in_peer)
+      lambda_per_unit_[static_cast<std::size_t>(cause.effect)] =
+          cause.place == Place::grains ? grain_lambda(cause) : machine_lambda(cause.effect, opened);
+}
+
+double Foretold::grain_lambda(GrainCause const& cause) const {
+  auto const name = fmt::format("{}-{:.3g}", kind_of(cause.effect).name, cause.trial);
+  auto const with = pilots(name, with_cause({}, cause.effect, cause.trial));
+  // Pressed with an effect the same packing rearranges otherwise, by as much as another packing;
+  // the product of two packings has the effect in it and of that nothing but chance.
+  double const square =
+      projected(change_of(with, 0, {}, {})).dot(projected(change_of(with, 1, {}, {})));
+  return square > 0.0 ? std::sqrt(square) / cause.trial : 0.0;
+}
+
+double Foretold::machine_lambda(Effect effect, Curves const& opened) const {
+  double const wider = opened_gap - 8 * mm, mass = 8 * mm / opened_gap - 1.0;
+  double const bore = std::sqrt(opened_gap / (8 * mm)) - 1.0;
+  Curves changed;
+  for (auto const& curve : opened)
+    changed.push_back(effect == Effect::mass_error ? with_mass(curve, mass)
+                      : effect == Effect::die_size ? with_bore(curve, bore)
+                                                   : curve);
+  double const travel = 12 * mm / laboratory_speed;
+  double const trial = grain_cause(effect)->trial;
+  if (trial != 0.0) // exact, on the same grains
+    return projected(moved(clean_, Effects().with(effect, trial))).norm() / trial;
+  // The grains turned early: held back by what is to be hidden.
+  double size = effect == Effect::mass_error   ? -mass
+                : effect == Effect::die_size   ? bore * stated_bore
+                : effect == Effect::gap_offset ? wider
+                : effect == Effect::frame_compliance
+                    ? wider / (1.0227 * opened.front().peak())
+                    : wider / (1800.0 * -std::expm1(-travel / 1800.0));
+  auto const by_machine =
+      grain_cause(effect)->place == Place::machine ? Effects().with(effect, size) : Effects();
+  return projected(moved(changed, by_machine)).norm() / size;
 }
 
 double Foretold::per_unit(Effect effect) const {

@@ -5,18 +5,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
 namespace hidden {
 namespace {
 
-/// Causes that this code and bed can show at that lambda, in turn.
+/// Causes that this code and bed can show at half that lambda, in turn.
 std::vector<GrainCause> within_reach(Foretold const& foretold, Code code, double lambda) {
   std::vector<GrainCause> all;
   for (auto const& cause : grain_causes())
     if ((code == Code::own || cause.is_in_peer) &&
-        foretold.per_unit(cause.effect) * cause.largest >= lambda)
+        foretold.per_unit(cause.effect) * cause.largest >= 0.5 * lambda)
       all.push_back(cause);
   if (all.empty())
     throw std::invalid_argument(
@@ -39,9 +40,12 @@ GrainCause chosen(GrainWish const& wish, Foretold const& foretold, Code code) {
 void hide_cause(GrainCase& in, GrainCause const& cause, double size) {
   in.cause = cause.effect;
   in.size = cause.has_scale ? size : 0.0;
-  if (cause.place == Place::grains)
-    in.press = with_cause(in.press, cause.effect, size);
-  else
+  if (cause.place == Place::grains) {
+    // Two digits, so that pools stay what they are where a pilot moves by a little.
+    double const round = std::stod(fmt::format("{:.2g}", size));
+    in.press = with_cause(in.press, cause.effect, round);
+    in.change = fmt::format("{}-{:.2g}", kind_of(cause.effect).name, size);
+  } else
     in.effects = in.effects.with(cause.effect, size);
   // The powder and the die are what they are; the laboratory has other numbers on its sheet.
   if (cause.effect == Effect::mass_error)
@@ -54,24 +58,28 @@ void hide_cause(GrainCase& in, GrainCause const& cause, double size) {
 
 GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code code) {
   CounterStream powder(wish.seed, Purpose::powder), repeat(wish.seed, Purpose::repeat),
-      draw(wish.seed, Purpose::size);
+      draw(wish.seed, Purpose::size), order(wish.seed, Purpose::order);
   GrainCase drawn{.seed = wish.seed, .press = {}, .scatter = {}, .effects = {}};
-  drawn.press.packing = wish.seed;
-  drawn.press.young_modulus *= 1.0 + powder.uniform(-0.15, 0.15);
-  drawn.press.cohesion_density *= 1.0 + powder.uniform(-0.3, 0.3);
+  drawn.stiffness = 1.0 + powder.uniform(-0.15, 0.15);
   drawn.stated_mass_share = 1.0 + 0.003 * repeat.normal();
   drawn.scatter = {.zero = 8e-6 * repeat.normal(), .cell_zero = 0.3 * repeat.normal()};
   drawn.stated_bore = stated_bore;
-  if (wish.is_clean)
-    return drawn;
-  auto const cause = chosen(wish, *foretold, code);
-  bool const is_negative = draw.uniform() < 0.5 && !kind_of(cause.effect).is_one_sided;
-  double size = wish.lambda / foretold->per_unit(cause.effect);
-  drawn.lambda = wish.lambda;
-  // Friction between grains is 0.2 and has no other sign.
-  double const least = cause.place == Place::grains ? -0.15 : -1e300;
-  size = is_negative && -size > least ? -size : size;
-  hide_cause(drawn, cause, size);
+  if (!wish.is_clean) {
+    auto const cause = chosen(wish, *foretold, code);
+    double const slope = foretold->per_unit(cause.effect);
+    double const size = std::min(wish.lambda / slope, cause.largest);
+    // What is in the grains has one sign: each costs simulations.
+    bool const is_negative =
+        draw.uniform() < 0.5 && !kind_of(cause.effect).is_one_sided && cause.place != Place::grains;
+    drawn.lambda = slope * size;
+    hide_cause(drawn, cause, is_negative ? -size : size);
+  }
+  std::vector<std::uint64_t> pool(drawn.change.empty() ? std::max(pool_size, wish.n_packings)
+                                                       : wish.n_packings);
+  std::iota(pool.begin(), pool.end(), first_in_pool);
+  for (std::size_t k = pool.size(); k-- > 1;)
+    std::swap(pool[k], pool[static_cast<std::size_t>(order.below(static_cast<int>(k) + 1))]);
+  drawn.packings.assign(pool.begin(), pool.begin() + wish.n_packings);
   return drawn;
 }
 

@@ -14,12 +14,16 @@ struct GrainWish {
   bool is_clean = true;
   std::optional<Effect> cause = {}; ///< else the seed's: consecutive seeds take the causes in turn
   double lambda = 16.0;
+  int n_packings = 4; ///< of which the data are the mean
 };
 
 /// A laboratory's data of one pressing of a powder that is simulated grain by grain.
 struct GrainCase {
   std::uint64_t seed;
-  GrainPress press; ///< with what is hidden in the grains
+  GrainPress press;                         ///< with what is hidden in the grains
+  std::string change = {};                  ///< that in words, for the cache
+  std::vector<std::uint64_t> packings = {}; ///< of which the data are the mean
+  double stiffness = 1.0;                   ///< of grains, cohesion and tools over the sheet's
   Scatter scatter;
   Effects effects; ///< all that is hidden, for machine and sheet
   std::optional<Effect> cause = {};
@@ -28,11 +32,19 @@ struct GrainCase {
   double stated_bore = 0.0;       ///< [m]
 };
 
-/// Packing (by the seed itself), E within 15 % and cohesion within 30 % of the sheet, scales and
-/// zeros as they scatter; the effect at the size for the wanted lambda. A clean case has the grains
-/// of the single one of the same seed.
-/// @throws std::invalid_argument if the bed cannot show the cause at that lambda
+/// Packings of data: a pool that consecutive cases draw from.
+constexpr std::uint64_t first_in_pool = 20001;
+constexpr int pool_size = 16;
+
+/// Packings drawn from the pool (all cases with one cause between grains share the first ones), E
+/// and cohesion both within 15 % of the sheet, scales and zeros as they scatter; the effect at the
+/// size for the wanted lambda.
+/// @throws std::invalid_argument if the bed cannot show the cause at half that lambda
 GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code code);
+
+/// Writes a run folder of the sheet's press, the mean of packings 900, 901, ...: what a diagnosis
+/// is given.
+void write_simulation(Simulations const& own, std::filesystem::path const& folder);
 
 /// data/ and sealed/truth.json of a case, as `hide` writes them.
 /// @throws std::runtime_error if the folder is not empty

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -11,6 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
+
+constexpr double simulated_speed = 0.2; ///< of the punch [m/s]
 
 /// The seed's height of a compact is that of its highest grain, which differs so much between
 /// packings.
@@ -49,7 +53,9 @@ Json measured(GrainCase const& of, std::vector<Moment> const& moments, Readings 
                 {"dwell", 0.0},
                 {"unit", "SI"}}}};
   if (readings.compact_height > 1 * mm)
-    run["scalars"]["compact_height"] = quantity(readings.compact_height, height_scatter, "m");
+    run["scalars"]["compact_height"] =
+        quantity(readings.compact_height,
+                 height_scatter / std::sqrt(static_cast<double>(of.packings.size())), "m");
   return {{"sample",
            {{"mass", quantity(mass, 0.003 * mass, "kg")},
             {"die_diameter", quantity(of.stated_bore, 5e-6, "m")}}},
@@ -77,8 +83,8 @@ Json truth(GrainCase const& of, Code code) {
                {"observables", "D"},
                {"code", code == Code::own ? "presscheck" : "liggghts"},
                {"powder",
-                {{"young_modulus", of.press.young_modulus},
-                 {"cohesion_density", of.press.cohesion_density}}},
+                {{"young_modulus", of.stiffness * of.press.young_modulus},
+                 {"cohesion_density", of.stiffness * of.press.cohesion_density}}},
                {"effects", Json::array()}};
   if (of.cause) {
     auto const& kind = kind_of(*of.cause);
@@ -89,7 +95,9 @@ Json truth(GrainCase const& of, Code code) {
                                {"lambda", of.lambda}});
     json["lambda"] = of.lambda;
   }
-  json["entries"] = entries_of(of.press);
+  json["entries"] = of.press.more;
+  json["friction"] = {of.press.friction, of.press.wall_friction};
+  json["packings"] = of.packings;
   json["runs"].push_back({{"file", "run1.csv"},
                           {"mass", 1.0 / of.stated_mass_share - 1.0},
                           {"zero", of.scatter.zero},
@@ -103,11 +111,13 @@ void write_grain_case(GrainCase const& of, Simulations const& simulations, fs::p
   if (fs::exists(folder) && !fs::is_empty(folder))
     throw std::runtime_error(fmt::format(
         "{}: is not empty (a case has a folder of its own). Another name?", folder.string()));
-  // Grains with the same entries are pressed once, whatever the machine does.
-  bool const is_in_grains = of.cause && grain_cause(*of.cause)->place == Place::grains;
-  auto const name = fmt::format("seed-{}{}", of.seed,
-                                is_in_grains ? fmt::format("-{}", kind_of(*of.cause).name) : "");
-  auto const curve = simulations.curve(name, of.press);
+  std::vector<Curve> curves;
+  auto press = of.press;
+  for (auto const packing : of.packings) {
+    press.packing = packing;
+    curves.push_back(simulations.curve(press, of.change));
+  }
+  auto const curve = scaled(mean_of(curves), of.stiffness);
   auto const moments = seen_by_machine(curve, of.effects, of.scatter);
   auto const readings = read_moments(moments, curve.compact_height, {}, of.seed);
   fs::create_directories(folder / "data");
@@ -115,6 +125,28 @@ void write_grain_case(GrainCase const& of, Simulations const& simulations, fs::p
   write(folder / "data" / "run1.csv", csv(readings));
   write(folder / "data" / "measured.json", measured(of, moments, readings).dump(2) + "\n");
   write(folder / "sealed" / "truth.json", truth(of, simulations.code).dump(2) + "\n");
+}
+
+void write_simulation(Simulations const& own, fs::path const& folder) {
+  GrainPress press{.packing = first_simulated};
+  auto const curve = own.mean_curve(press, first_simulated, n_simulated);
+  std::string text = "time [s],stage,punch_gap [m],bed_height [m],upper_punch_force [N],"
+                     "lower_punch_force [N],wall_radial_pressure [Pa]\n";
+  double time = 0.0, height = curve.loading.front().height;
+  auto const add = [&](Pressed const& at, char const* stage) {
+    time += std::abs(at.height - height) / simulated_speed;
+    height = at.height;
+    text += fmt::format("{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", time, stage, at.height,
+                        at.height, at.upper, at.lower, at.radial);
+  };
+  for (auto const& at : curve.loading)
+    add(at, "loading");
+  for (std::size_t k = 1; k < curve.unloading.size(); ++k)
+    add(curve.unloading[k], "unloading");
+  fs::create_directories(folder);
+  write(folder / "curves.csv", text);
+  fs::copy_file(own.cache / fmt::format("packing-{}", first_simulated) / "case.resolved.prm",
+                folder / "case.resolved.prm", fs::copy_options::overwrite_existing);
 }
 
 } // namespace hidden

@@ -11,9 +11,9 @@ namespace {
 
 using enum Place;
 
-constexpr std::array<GrainCause, 15> causes = {{
+constexpr std::array<GrainCause, 14> causes = {{
     {Effect::frame_compliance, machine, 0.0, 1e-6, true, true},
-    {Effect::wall_friction, grains, 0.1, 0.3, true, true},
+    {Effect::wall_friction, grains, 0.2, 0.2, true, true},
     {Effect::gap_offset, machine, 0.0, 1e-3, true, true},
     {Effect::particle_friction, grains, 0.1, 0.3, true, true},
     {Effect::force_gain, machine, 0.1, 0.3, true, true},
@@ -26,7 +26,6 @@ constexpr std::array<GrainCause, 15> causes = {{
     {Effect::breakage, grains, 1.0, 2.0, false, false},
     {Effect::thermal_drift, machine, 0.0, 2e-6, true, true},
     {Effect::die_size, sheet, 0.0, 1e-3, true, true},
-    {Effect::punch_tilt, grains, 1.2e-3, 4e-3, true, false},
 }};
 
 std::string entry(char const* path, double value, char const* unit = "") {
@@ -71,9 +70,6 @@ GrainPress with_cause(GrainPress press, Effect effect, double size) {
     more = {entry("Breakage/Strength", 8e6 / size, "Pa"),
             entry("Breakage/Reference diameter", 2e-3, "m"),
             entry("Breakage/Smallest diameter", 1.1e-3, "m")};
-    break;
-  case Effect::punch_tilt:
-    more = {entry("Tooling/Punch tilt", size, "m")};
     break;
   default:
     throw std::invalid_argument(

@@ -20,14 +20,14 @@ struct GrainCause {
   Effect effect;
   Place place;
   double trial;    ///< size of the pilot, far above the grains' own scatter
-  double largest;  ///< that is hidden; a cause that needs more for its lambda cannot be
+  double largest;  ///< that is hidden, with a smaller lambda if need be
   bool has_scale;  ///< its size is that of the contract's cause; else a knob of the simulator
   bool is_in_peer; ///< the other code has it, too
 };
 
-/// In turn, machine and grains mixed. A rate (viscous contacts are unstable at these time steps)
-/// and a die that gives (its punches give, too: two causes) are not among them, nor E and cohesion,
-/// which are calibrated.
+/// In turn, machine and grains mixed. Not among them: a rate (viscous contacts are unstable at
+/// these time steps), a tilt and a denser fill (not seen at 1.2 mm, without friction), a die that
+/// gives (its punches give, too: two causes), E and cohesion, which are calibrated.
 std::span<GrainCause const> grain_causes();
 std::optional<GrainCause> grain_cause(Effect effect);
 

@@ -4,15 +4,18 @@
 
 #include <charconv>
 #include <cstdio>
+#include <optional>
 #include <stdexcept>
 #include <string_view>
 
 namespace {
 
 constexpr std::string_view usage =
-    "usage: hide_grains --seed N --class clean|single [--cause NAME] [--lambda L]\n"
-    "                   --code presscheck|liggghts --program PATH --case CASE --cache DIR -o DIR\n"
-    "       hide_grains --class foretell --code ... --program ... --case ... --cache DIR\n";
+    "usage: hide_grains --seed N --class clean|single [--cause NAME] [--lambda L] [--packings N]\n"
+    "                   --program PRESSCHECK [--peer LIGGGHTS] --case CASE --cache DIR -o DIR\n"
+    "       hide_grains --class simulation --program PRESSCHECK --case CASE --cache DIR -o DIR\n"
+    "       hide_grains --class foretell [--packings N] --program PRESSCHECK --case CASE --cache "
+    "DIR\n";
 
 template <class Number> Number number(std::string_view option, std::string_view text) {
   Number value{};
@@ -32,9 +35,19 @@ bool one_of(std::string_view option, std::string_view value, std::string_view fi
 
 struct Order {
   hidden::GrainWish wish;
-  hidden::Simulations simulations{hidden::Code::own, {}, {}, {}};
-  std::string_view folder;
-  bool only_foretells = false;
+  std::string_view program, peer, own_case, folder;
+  std::filesystem::path cache;
+  bool only_foretells = false, only_simulates = false;
+
+  hidden::Simulations own() const {
+    return {hidden::Code::own, std::string(program), std::string(own_case), cache / "presscheck"};
+  }
+  /// Where the data come from.
+  hidden::Simulations data() const {
+    return peer.empty() ? own()
+                        : hidden::Simulations{
+                              hidden::Code::liggghts, std::string(peer), {}, cache / "liggghts"};
+  }
 };
 
 void take(Order& order, std::string_view option, std::string_view value) {
@@ -42,22 +55,24 @@ void take(Order& order, std::string_view option, std::string_view value) {
     order.wish.seed = number<std::uint64_t>(option, value);
   else if (option == "--class" && value == "foretell")
     order.only_foretells = true;
+  else if (option == "--class" && value == "simulation")
+    order.only_simulates = true;
+  else if (option == "--packings")
+    order.wish.n_packings = number<int>(option, value);
   else if (option == "--class")
     order.wish.is_clean = !one_of(option, value, "clean", "single");
   else if (option == "--cause")
     order.wish.cause = hidden::effect_named(value);
   else if (option == "--lambda")
     order.wish.lambda = number<double>(option, value);
-  else if (option == "--code")
-    order.simulations.code = one_of(option, value, "presscheck", "liggghts")
-                                 ? hidden::Code::liggghts
-                                 : hidden::Code::own;
   else if (option == "--program")
-    order.simulations.program = value;
+    order.program = value;
+  else if (option == "--peer")
+    order.peer = value;
   else if (option == "--case")
-    order.simulations.own_case = value;
+    order.own_case = value;
   else if (option == "--cache")
-    order.simulations.cache = value;
+    order.cache = value;
   else if (option == "-o")
     order.folder = value;
   else
@@ -72,18 +87,20 @@ Order parse(int argc, char** argv) {
       throw std::invalid_argument(fmt::format("{} has no value. {}", option, usage));
     take(order, option, argv[++k]);
   }
-  if (order.simulations.program.empty() || order.simulations.cache.empty() ||
+  if (order.program.empty() || order.own_case.empty() || order.cache.empty() ||
       (order.folder.empty() && !order.only_foretells))
-    throw std::invalid_argument(fmt::format("--program, --cache or -o is missing. {}", usage));
-  if (!(order.wish.lambda > 0.0))
-    throw std::invalid_argument("--lambda is positive. Is the sign wrong?");
+    throw std::invalid_argument(
+        fmt::format("--program, --case, --cache or -o is missing. {}", usage));
+  if (!(order.wish.lambda > 0.0) || order.wish.n_packings < 1)
+    throw std::invalid_argument("--lambda and --packings are positive. Is a sign wrong?");
   return order;
 }
 
 void print(hidden::Foretold const& foretold) {
-  fmt::print("lambda of the same packing pressed again {:.1f}, of another packing {:.1f}\n"
+  fmt::print("a packing scatters by {:.2g} % of its force ({:g} between channels)\n"
              "{:20} {:>12} {:>12} {:>8}\n",
-             foretold.chaos(), foretold.packings(), "cause", "size at 16", "largest", "unit");
+             100.0 * foretold.bed_scatter(), foretold.bed_correlation(), "cause", "size at 16",
+             "largest", "unit");
   for (auto const& cause : hidden::grain_causes()) {
     double const slope = foretold.per_unit(cause.effect);
     fmt::print("{:20} {:>12} {:12.3g} {:>8}\n", hidden::kind_of(cause.effect).name,
@@ -97,16 +114,20 @@ void print(hidden::Foretold const& foretold) {
 int main(int argc, char** argv) {
   try {
     auto const order = parse(argc, argv);
-    if (order.only_foretells) {
-      print(hidden::Foretold(order.simulations));
+    auto const own = order.own(), data = order.data();
+    if (order.only_simulates) {
+      hidden::write_simulation(own, order.folder);
       return 0;
     }
     std::optional<hidden::Foretold> foretold;
-    if (!order.wish.is_clean)
-      foretold.emplace(order.simulations);
-    hidden::write_grain_case(hidden::draw_grain_case(order.wish, foretold ? &*foretold : nullptr,
-                                                     order.simulations.code),
-                             order.simulations, order.folder);
+    if (!order.wish.is_clean || order.only_foretells)
+      foretold.emplace(own, order.wish.n_packings);
+    if (order.only_foretells)
+      print(*foretold);
+    else
+      hidden::write_grain_case(
+          hidden::draw_grain_case(order.wish, foretold ? &*foretold : nullptr, data.code), data,
+          order.folder);
     return 0;
   } catch (std::exception const& error) {
     fmt::print(stderr, "hide_grains: {}\n", error.what());

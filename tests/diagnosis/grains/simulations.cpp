@@ -116,8 +116,9 @@ std::vector<std::string> entries_of(GrainPress const& press) {
   return entries;
 }
 
-Curve Simulations::curve(std::string const& name, GrainPress const& press) const {
-  auto const folder = cache / name;
+Curve Simulations::curve(GrainPress const& press, std::string const& change) const {
+  auto const folder =
+      cache / fmt::format("packing-{}{}{}", press.packing, change.empty() ? "" : "-", change);
   auto const text = fmt::format("{}\n", fmt::join(entries_of(press), "\n"));
   fs::create_directories(cache);
   Lock const lock(folder.string() + ".lock");
@@ -129,6 +130,16 @@ Curve Simulations::curve(std::string const& name, GrainPress const& press) const
     write(folder / "entries.txt", text); // last: a folder with it is complete
   }
   return code == Code::own ? read_run(folder) : read_peer(folder / "curves.txt", stated_bore);
+}
+
+Curve Simulations::mean_curve(GrainPress press, std::uint64_t first, int n,
+                              std::string const& change) const {
+  std::vector<Curve> curves;
+  for (int k = 0; k < n; ++k) {
+    press.packing = first + static_cast<std::uint64_t>(k);
+    curves.push_back(curve(press, change));
+  }
+  return mean_of(curves);
 }
 
 } // namespace hidden
