@@ -69,6 +69,22 @@ Curve divided(std::vector<Pressed> const& all, std::filesystem::path const& file
   return {.loading = {all.begin(), turn + 1}, .unloading = {turn, all.end()}};
 }
 
+/// Linear between the records around a height, of a stroke in which heights only fall or only rise.
+Pressed at_height(std::vector<Pressed> const& stroke, double height) {
+  bool const rises = stroke.back().height > stroke.front().height;
+  auto const after = std::ranges::lower_bound(stroke, rises ? height : -height, {}, [&](auto& at) {
+    return rises ? at.height : -at.height;
+  });
+  auto const next = std::clamp(after, stroke.begin() + 1, stroke.end() - 1);
+  auto const &a = *(next - 1), &b = *next;
+  double const way = b.height - a.height;
+  double const share = way != 0.0 ? std::clamp((height - a.height) / way, 0.0, 1.0) : 1.0;
+  return {.height = height,
+          .upper = a.upper + share * (b.upper - a.upper),
+          .lower = a.lower + share * (b.lower - a.lower),
+          .radial = a.radial + share * (b.radial - a.radial)};
+}
+
 } // namespace
 
 double Curve::peak() const {
@@ -79,18 +95,13 @@ Curve mean_of(std::vector<Curve> const& curves) {
   Curve mean = curves.front();
   auto const n = static_cast<double>(curves.size());
   for (auto const stroke : {&Curve::loading, &Curve::unloading})
-    for (std::size_t k = 0; k < (mean.*stroke).size(); ++k) {
-      Pressed sum{};
+    for (auto& at : mean.*stroke) {
+      Pressed sum{.height = at.height, .upper = 0.0, .lower = 0.0, .radial = 0.0};
       for (auto const& curve : curves) {
-        if ((curve.*stroke).size() != (mean.*stroke).size())
-          throw std::runtime_error(
-              fmt::format("curves of {} and {} records have no mean. Are they of one case?",
-                          (curve.*stroke).size(), (mean.*stroke).size()));
-        auto const& at = (curve.*stroke)[k];
-        sum.height += at.height, sum.upper += at.upper, sum.lower += at.lower,
-            sum.radial += at.radial;
+        auto const own = at_height(curve.*stroke, at.height);
+        sum.upper += own.upper / n, sum.lower += own.lower / n, sum.radial += own.radial / n;
       }
-      (mean.*stroke)[k] = {sum.height / n, sum.upper / n, sum.lower / n, sum.radial / n};
+      at = sum;
     }
   mean.compact_height = 0.0;
   for (auto const& curve : curves)

@@ -19,8 +19,7 @@ struct Curve {
   double peak() const;                     ///< largest upper force [N]
 };
 
-/// Mean of curves that were recorded at the same times.
-/// @throws std::runtime_error if their records differ in number
+/// Mean of curves at the heights of the first.
 Curve mean_of(std::vector<Curve> const& curves);
 
 /// The grains' modulus, their cohesion and the tools' modulus times a factor: forces alone grow, by
