@@ -37,6 +37,13 @@ GrainCause chosen(GrainWish const& wish, Foretold const& foretold, Code code) {
   return *at;
 }
 
+GrainCause asked(GrainWish const& wish) {
+  auto const cause = wish.cause ? grain_cause(*wish.cause) : std::nullopt;
+  if (!cause)
+    throw std::invalid_argument("--size is of a cause that this bed can show. Which --cause?");
+  return *cause;
+}
+
 void hide_cause(GrainCase& in, GrainCause const& cause, double size) {
   in.cause = cause.effect;
   in.size = cause.has_scale ? size : 0.0;
@@ -65,14 +72,14 @@ GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code 
   drawn.scatter = {.zero = 8e-6 * repeat.normal(), .cell_zero = 0.3 * repeat.normal()};
   drawn.stated_bore = stated_bore;
   if (!wish.is_clean) {
-    auto const cause = chosen(wish, *foretold, code);
-    double const slope = foretold->per_unit(cause.effect);
-    double const size = std::min(wish.lambda / slope, cause.largest);
+    auto const cause = wish.size ? asked(wish) : chosen(wish, *foretold, code);
+    double const slope = wish.size ? 0.0 : foretold->per_unit(cause.effect);
+    double const size = wish.size ? *wish.size : std::min(wish.lambda / slope, cause.largest);
     // What is in the grains has one sign: each costs simulations.
     bool const is_negative =
         draw.uniform() < 0.5 && !kind_of(cause.effect).is_one_sided && cause.place != Place::grains;
     drawn.lambda = slope * size;
-    hide_cause(drawn, cause, is_negative ? -size : size);
+    hide_cause(drawn, cause, is_negative && !wish.size ? -size : size);
   }
   std::vector<std::uint64_t> pool(drawn.change.empty() ? std::max(pool_size, wish.n_packings)
                                                        : wish.n_packings);

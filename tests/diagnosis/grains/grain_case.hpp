@@ -14,7 +14,8 @@ struct GrainWish {
   bool is_clean = true;
   std::optional<Effect> cause = {}; ///< else the seed's: consecutive seeds take the causes in turn
   double lambda = 16.0;
-  int n_packings = 4; ///< of which the data are the mean
+  std::optional<double> size = {}; ///< instead of lambda, with a cause; nothing is foretold then
+  int n_packings = 4;              ///< of which the data are the mean
 };
 
 /// A laboratory's data of one pressing of a powder that is simulated grain by grain.
@@ -44,7 +45,7 @@ GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code 
 
 /// Writes a run folder of the sheet's press, the mean of packings 900, 901, ...: what a diagnosis
 /// is given.
-void write_simulation(Simulations const& own, std::filesystem::path const& folder);
+void write_simulation(Simulations const& own, int n_packings, std::filesystem::path const& folder);
 
 /// data/ and sealed/truth.json of a case, as `hide` writes them.
 /// @throws std::runtime_error if the folder is not empty

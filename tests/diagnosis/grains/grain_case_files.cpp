@@ -88,12 +88,10 @@ Json truth(GrainCase const& of, Code code) {
                {"effects", Json::array()}};
   if (of.cause) {
     auto const& kind = kind_of(*of.cause);
-    json["effects"].push_back({{"name", kind.name},
-                               {"size", of.size},
-                               {"unit", kind.unit},
-                               {"prior", kind.prior},
-                               {"lambda", of.lambda}});
-    json["lambda"] = of.lambda;
+    json["effects"].push_back(
+        {{"name", kind.name}, {"size", of.size}, {"unit", kind.unit}, {"prior", kind.prior}});
+    if (of.lambda > 0.0)
+      json["lambda"] = json["effects"][0]["lambda"] = of.lambda;
   }
   json["entries"] = of.press.more;
   json["friction"] = {of.press.friction, of.press.wall_friction};
@@ -127,9 +125,9 @@ void write_grain_case(GrainCase const& of, Simulations const& simulations, fs::p
   write(folder / "sealed" / "truth.json", truth(of, simulations.code).dump(2) + "\n");
 }
 
-void write_simulation(Simulations const& own, fs::path const& folder) {
+void write_simulation(Simulations const& own, int n_packings, fs::path const& folder) {
   GrainPress press{.packing = first_simulated};
-  auto const curve = own.mean_curve(press, first_simulated, n_simulated);
+  auto const curve = own.mean_curve(press, first_simulated, n_packings);
   std::string text = "time [s],stage,punch_gap [m],bed_height [m],upper_punch_force [N],"
                      "lower_punch_force [N],wall_radial_pressure [Pa]\n";
   double time = 0.0, height = curve.loading.front().height;

@@ -11,7 +11,8 @@
 namespace {
 
 constexpr std::string_view usage =
-    "usage: hide_grains --seed N --class clean|single [--cause NAME] [--lambda L] [--packings N]\n"
+    "usage: hide_grains --seed N --class clean|single [--cause NAME] [--lambda L | --size X] "
+    "[--packings N]\n"
     "                   --program PRESSCHECK [--peer LIGGGHTS] --case CASE --cache DIR -o DIR\n"
     "       hide_grains --class simulation --program PRESSCHECK --case CASE --cache DIR -o DIR\n"
     "       hide_grains --class foretell [--packings N] --program PRESSCHECK --case CASE --cache "
@@ -65,6 +66,8 @@ void take(Order& order, std::string_view option, std::string_view value) {
     order.wish.cause = hidden::effect_named(value);
   else if (option == "--lambda")
     order.wish.lambda = number<double>(option, value);
+  else if (option == "--size")
+    order.wish.size = number<double>(option, value);
   else if (option == "--program")
     order.program = value;
   else if (option == "--peer")
@@ -116,11 +119,11 @@ int main(int argc, char** argv) {
     auto const order = parse(argc, argv);
     auto const own = order.own(), data = order.data();
     if (order.only_simulates) {
-      hidden::write_simulation(own, order.folder);
+      hidden::write_simulation(own, order.wish.n_packings, order.folder);
       return 0;
     }
     std::optional<hidden::Foretold> foretold;
-    if (!order.wish.is_clean || order.only_foretells)
+    if ((!order.wish.is_clean && !order.wish.size) || order.only_foretells)
       foretold.emplace(own, order.wish.n_packings);
     if (order.only_foretells)
       print(*foretold);
