@@ -61,8 +61,8 @@ struct StudyOptions {
 
 struct DiagnoseOptions {
   CaseChoice choice;
-  std::filesystem::path measured;   ///< folder with measured.json
-  std::filesystem::path folder;     ///< empty: diagnoses/<name of the measured folder>
+  std::filesystem::path measured; ///< folder with measured.json
+  std::filesystem::path folder;   ///< empty: diagnoses/<name of the measured folder>
   std::vector<std::filesystem::path> simulations; ///< run folders of the case; none: it is run
   int packings = 0; ///< to run; 0: four of a coarse bed, fewer of a fine one
   int threads = 0;

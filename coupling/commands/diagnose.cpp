@@ -152,8 +152,7 @@ int score_by_simulation(finding::CaseDiagnosis& diagnosis, Case const& setup,
                     folder / name, simulated);
   };
   fs::create_directories(folder);
-  if (int const status =
-          run("calibrated", extended_case(setup, {}, found.calibrated), calibrated);
+  if (int const status = run("calibrated", extended_case(setup, {}, found.calibrated), calibrated);
       status != done)
     return status;
   if (int const status = run("extended", extended_case(setup, found), extended); status != done)

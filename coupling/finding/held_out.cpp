@@ -37,7 +37,8 @@ HeldOutRun HeldOutRuns::compared(Run const& run, FittedPress const& before,
     auto const model = press.model.with_plan(run.plan);
     diagnosis::ErrorSources const sources{
         .channels = run.channels,
-        .numerical = {.bias = {}, .covariance = reduced::numerical_covariance(model, fit_, uncertainty_)},
+        .numerical = {.bias = {},
+                      .covariance = reduced::numerical_covariance(model, fit_, uncertainty_)},
         .tolerances = tolerances_};
     auto const errors = error_model(run.observations, model, sources, press.at, press.active);
     return HeldOutPrediction{.value = model.predict(press.at) + errors.bias,

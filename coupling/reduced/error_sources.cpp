@@ -93,8 +93,8 @@ MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
   MatrixXd covariance = changes * changes.transpose();
   if (uncertainty.packing.stress > 0.0) {
     auto const packing = packing_covariance(nominal, model.plan(), uncertainty.packing);
-    covariance += packing / static_cast<double>(uncertainty.n_packings) +
-                  apart_by_run(packing, model.plan());
+    covariance +=
+        packing / static_cast<double>(uncertainty.n_packings) + apart_by_run(packing, model.plan());
   }
   covariance.diagonal() +=
       missed_by_emulator(model.plan(), at_nominal, fit).array().square().matrix();

@@ -50,7 +50,8 @@ std::vector<Vector2d> places_of_rows(Press const& nominal, PressPlan const& plan
         bool const is_scalar = block.phase == diagnosis::Phase::after;
         auto const at = is_scalar ? smallest.size() - 1 : row.places[1];
         double const height = is_scalar ? smallest.back() : cycle[at].height;
-        places.emplace_back(std::log(smallest[at]), opening_share * std::log(height / smallest[at]));
+        places.emplace_back(std::log(smallest[at]),
+                            opening_share * std::log(height / smallest[at]));
       }
   }
   return places;
@@ -85,12 +86,12 @@ std::vector<RowScatter> scatter_of_rows(Press const& nominal, PressPlan const& p
     for (auto const& block : run.blocks)
       for (std::size_t k = 0; k < block.rows.size(); ++k) {
         auto const at = scatter.size();
-        scatter.push_back({kind_of(block.channel),
-                           block.channel == "compact_height" || kind_of(block.channel) != Kind::other
-                               ? std::sqrt(std::abs(rows[static_cast<Index>(at)]) *
-                                           largest[block.channel])
-                               : 0.0,
-                           places[at]});
+        scatter.push_back(
+            {kind_of(block.channel),
+             block.channel == "compact_height" || kind_of(block.channel) != Kind::other
+                 ? std::sqrt(std::abs(rows[static_cast<Index>(at)]) * largest[block.channel])
+                 : 0.0,
+             places[at]});
       }
   }
   return scatter;

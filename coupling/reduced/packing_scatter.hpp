@@ -8,11 +8,11 @@ namespace coupling::reduced {
 /// How a press cycle departs from packing to packing of the same grains, standard deviations. A
 /// force F departs by its share of sqrt(F F_m), F_m the largest of the cycle; so does a pressure.
 struct PackingScatter {
-  double stress = 0.0;        ///< of both punches' forces together [1]
-  double punch = 0.0;         ///< of each punch by itself [1]
-  double wall_stress = 0.0;   ///< of the radial pressure together with the forces [1]
-  double wall = 0.0;          ///< of the radial pressure by itself [1]
-  double free_height = 0.0;   ///< of the compact that nothing presses, relative [1]
+  double stress = 0.0;      ///< of both punches' forces together [1]
+  double punch = 0.0;       ///< of each punch by itself [1]
+  double wall_stress = 0.0; ///< of the radial pressure together with the forces [1]
+  double wall = 0.0;        ///< of the radial pressure by itself [1]
+  double free_height = 0.0; ///< of the compact that nothing presses, relative [1]
 };
 
 /// Of a bed of so many grains: the scatter measured on 2204 grains times sqrt(2204 / n), as means

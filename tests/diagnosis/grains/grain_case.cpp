@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -65,7 +64,7 @@ void hide_cause(GrainCase& in, GrainCause const& cause, double size) {
 
 GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code code) {
   CounterStream powder(wish.seed, Purpose::powder), repeat(wish.seed, Purpose::repeat),
-      draw(wish.seed, Purpose::size), order(wish.seed, Purpose::order);
+      draw(wish.seed, Purpose::size);
   GrainCase drawn{.seed = wish.seed, .press = {}, .scatter = {}, .effects = {}};
   drawn.stiffness = 1.0 + powder.uniform(-0.15, 0.15);
   drawn.stated_mass_share = 1.0 + 0.003 * repeat.normal();
@@ -81,12 +80,9 @@ GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code 
     drawn.lambda = slope * size;
     hide_cause(drawn, cause, is_negative && !wish.size ? -size : size);
   }
-  std::vector<std::uint64_t> pool(drawn.change.empty() ? std::max(pool_size, wish.n_packings)
-                                                       : wish.n_packings);
-  std::iota(pool.begin(), pool.end(), first_in_pool);
-  for (std::size_t k = pool.size(); k-- > 1;)
-    std::swap(pool[k], pool[static_cast<std::size_t>(order.below(static_cast<int>(k) + 1))]);
-  drawn.packings.assign(pool.begin(), pool.begin() + wish.n_packings);
+  auto const n = static_cast<std::uint64_t>(wish.n_packings);
+  for (std::uint64_t k = 0; k < n; ++k)
+    drawn.packings.push_back(20000 + wish.seed * n + k);
   return drawn;
 }
 

@@ -33,19 +33,11 @@ struct GrainCase {
   double stated_bore = 0.0;       ///< [m]
 };
 
-/// Packings of data: a pool that consecutive cases draw from.
-constexpr std::uint64_t first_in_pool = 20001;
-constexpr int pool_size = 16;
-
-/// Packings drawn from the pool (all cases with one cause between grains share the first ones), E
-/// and cohesion both within 15 % of the sheet, scales and zeros as they scatter; the effect at the
-/// size for the wanted lambda.
+/// Packings of data: 20000 + seed n + 0, 1, ... for the mean of n; E and cohesion both within 15 %
+/// of the sheet, scales and zeros as they scatter; the effect at the size for the wanted lambda, or
+/// its largest. A clean case and a single one of one seed are the same bed.
 /// @throws std::invalid_argument if the bed cannot show the cause at half that lambda
 GrainCase draw_grain_case(GrainWish const& wish, Foretold const* foretold, Code code);
-
-/// Writes a run folder of the sheet's press, the mean of packings 900, 901, ...: what a diagnosis
-/// is given.
-void write_simulation(Simulations const& own, int n_packings, std::filesystem::path const& folder);
 
 /// data/ and sealed/truth.json of a case, as `hide` writes them.
 /// @throws std::runtime_error if the folder is not empty

@@ -14,8 +14,6 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-constexpr double simulated_speed = 0.2; ///< of the punch [m/s]
-
 /// The seed's height of a compact is that of its highest grain, which differs so much between
 /// packings.
 constexpr double height_scatter = 1e-4; // [m]
@@ -123,28 +121,6 @@ void write_grain_case(GrainCase const& of, Simulations const& simulations, fs::p
   write(folder / "data" / "run1.csv", csv(readings));
   write(folder / "data" / "measured.json", measured(of, moments, readings).dump(2) + "\n");
   write(folder / "sealed" / "truth.json", truth(of, simulations.code).dump(2) + "\n");
-}
-
-void write_simulation(Simulations const& own, int n_packings, fs::path const& folder) {
-  GrainPress press{.packing = first_simulated};
-  auto const curve = own.mean_curve(press, first_simulated, n_packings);
-  std::string text = "time [s],stage,punch_gap [m],bed_height [m],upper_punch_force [N],"
-                     "lower_punch_force [N],wall_radial_pressure [Pa]\n";
-  double time = 0.0, height = curve.loading.front().height;
-  auto const add = [&](Pressed const& at, char const* stage) {
-    time += std::abs(at.height - height) / simulated_speed;
-    height = at.height;
-    text += fmt::format("{:.9g},{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", time, stage, at.height,
-                        at.height, at.upper, at.lower, at.radial);
-  };
-  for (auto const& at : curve.loading)
-    add(at, "loading");
-  for (std::size_t k = 1; k < curve.unloading.size(); ++k)
-    add(curve.unloading[k], "unloading");
-  fs::create_directories(folder);
-  write(folder / "curves.csv", text);
-  fs::copy_file(own.cache / fmt::format("packing-{}", first_simulated) / "case.resolved.prm",
-                folder / "case.resolved.prm", fs::copy_options::overwrite_existing);
 }
 
 } // namespace hidden

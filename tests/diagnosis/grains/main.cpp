@@ -14,7 +14,6 @@ constexpr std::string_view usage =
     "usage: hide_grains --seed N --class clean|single [--cause NAME] [--lambda L | --size X] "
     "[--packings N]\n"
     "                   --program PRESSCHECK [--peer LIGGGHTS] --case CASE --cache DIR -o DIR\n"
-    "       hide_grains --class simulation --program PRESSCHECK --case CASE --cache DIR -o DIR\n"
     "       hide_grains --class foretell [--packings N] --program PRESSCHECK --case CASE --cache "
     "DIR\n";
 
@@ -38,7 +37,7 @@ struct Order {
   hidden::GrainWish wish;
   std::string_view program, peer, own_case, folder;
   std::filesystem::path cache;
-  bool only_foretells = false, only_simulates = false;
+  bool only_foretells = false;
 
   hidden::Simulations own() const {
     return {hidden::Code::own, std::string(program), std::string(own_case), cache / "presscheck"};
@@ -56,8 +55,6 @@ void take(Order& order, std::string_view option, std::string_view value) {
     order.wish.seed = number<std::uint64_t>(option, value);
   else if (option == "--class" && value == "foretell")
     order.only_foretells = true;
-  else if (option == "--class" && value == "simulation")
-    order.only_simulates = true;
   else if (option == "--packings")
     order.wish.n_packings = number<int>(option, value);
   else if (option == "--class")
@@ -118,10 +115,6 @@ int main(int argc, char** argv) {
   try {
     auto const order = parse(argc, argv);
     auto const own = order.own(), data = order.data();
-    if (order.only_simulates) {
-      hidden::write_simulation(own, order.wish.n_packings, order.folder);
-      return 0;
-    }
     std::optional<hidden::Foretold> foretold;
     if ((!order.wish.is_clean && !order.wish.size) || order.only_foretells)
       foretold.emplace(own, order.wish.n_packings);

@@ -132,14 +132,4 @@ Curve Simulations::curve(GrainPress const& press, std::string const& change) con
   return code == Code::own ? read_run(folder) : read_peer(folder / "curves.txt", stated_bore);
 }
 
-Curve Simulations::mean_curve(GrainPress press, std::uint64_t first, int n,
-                              std::string const& change) const {
-  std::vector<Curve> curves;
-  for (int k = 0; k < n; ++k) {
-    press.packing = first + static_cast<std::uint64_t>(k);
-    curves.push_back(curve(press, change));
-  }
-  return mean_of(curves);
-}
-
 } // namespace hidden

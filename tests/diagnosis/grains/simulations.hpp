@@ -35,10 +35,6 @@ struct Simulations {
   /// @param change  what differs from the case, for the folder's name: packing-SEED[-CHANGE]
   /// @throws std::runtime_error if the program fails, with its last line
   Curve curve(GrainPress const& press, std::string const& change = {}) const;
-  /// The mean of packings first, first + 1, ...: a small bed scatters by a per cent of its force,
-  /// what a laboratory presses does not.
-  Curve mean_curve(GrainPress press, std::uint64_t first, int n,
-                   std::string const& change = {}) const;
 };
 
 /// All entries of the case that `press` changes, in order.

@@ -90,8 +90,7 @@ TEST(PackingScatter, IsTheFormula) {
   double const own = matern(closing, 0.02) / 3.0 + 2.0 * matern(closing, 0.12) / 3.0;
   double const with = 0.5 + 0.5 * matern(closing, 0.045);
   EXPECT_NEAR(C(0, 0), (0.02 * 0.02 + 0.003 * 0.003) * f[0] * f[2], 1e-9 * C(0, 0));
-  EXPECT_NEAR(C(0, 1),
-              f[2] * std::sqrt(f[0] * f[1]) * (0.02 * 0.02 * with + 0.003 * 0.003 * own),
+  EXPECT_NEAR(C(0, 1), f[2] * std::sqrt(f[0] * f[1]) * (0.02 * 0.02 * with + 0.003 * 0.003 * own),
               1e-9 * C(0, 0));
   EXPECT_NEAR(C(0, 3), 0.02 * 0.02 * std::sqrt(f[0] * f[2] * f[3] * f[5]), 1e-9 * C(0, 0));
   EXPECT_NEAR(C(0, 6), 0.02 * 0.007 * std::sqrt(f[0] * f[2] * f[6] * f[8]), 1e-9 * C(0, 6));
@@ -104,8 +103,7 @@ TEST(PackingScatter, IsTheFormula) {
   double const turned = std::log(height(0.110) / 8e-3);
   EXPECT_NEAR(C(2, 9) / f[2] / std::sqrt(f[2] * f[9]),
               0.02 * 0.02 * (0.5 + 0.5 * matern(opening, 0.045)) +
-                  0.003 * 0.003 *
-                      (matern(opening, 0.02) / 3.0 + 2.0 * matern(opening, 0.12) / 3.0),
+                  0.003 * 0.003 * (matern(opening, 0.02) / 3.0 + 2.0 * matern(opening, 0.12) / 3.0),
               1e-9);
   EXPECT_LT(C(1, 9) / std::sqrt(C(1, 1) * C(9, 9)),
             0.5 + 0.5 * matern(std::hypot(turned, opening), 0.045) + 1e-3);
