@@ -15,7 +15,7 @@ struct GrainWish {
   std::optional<Effect> cause = {}; ///< else the seed's: consecutive seeds take the causes in turn
   double lambda = 16.0;
   std::optional<double> size = {}; ///< instead of lambda, with a cause; nothing is foretold then
-  int n_packings = 4;              ///< of which the data are the mean
+  int n_packings = 1;              ///< of which the data are the mean
 };
 
 /// A laboratory's data of one pressing of a powder that is simulated grain by grain.
