@@ -126,8 +126,8 @@ std::vector<std::string> height_sentences(PressedHeight const& model,
     }
     sentences.push_back(where + springback_sentence(model, row, missing));
     sentences.push_back(where + size +
-                        " of the approach is missing: so much further apart than "
-                        "the machine took them to be were the punch faces");
+                        " of the approach is missing: the punch faces stood so much further apart "
+                        "than the machine took them to be");
     if (missing.sole_density > 0.0)
       sentences.push_back(where + density_sentence(model, missing));
     if (std::ranges::find(forces, row.force) == forces.end())
