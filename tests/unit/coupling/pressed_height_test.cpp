@@ -1,7 +1,9 @@
 #include "coupling/case_file.hpp"
 #include "coupling/finding/height_diagnosis.hpp"
 #include "coupling/finding/height_words.hpp"
+#include "coupling/reduced/measured_plan.hpp"
 #include "coupling/reduced/pressed_height.hpp"
+#include "dem/expect.hpp"
 
 #include <gtest/gtest.h>
 
@@ -147,4 +149,26 @@ TEST(PressedHeight, TwoForcesTellAFrameFromAZero) {
   EXPECT_EQ(zero.verdict, "named") << zero.sentences.back();
   ASSERT_FALSE(named_causes(zero).empty());
   EXPECT_EQ(named_causes(zero).front().name, "gap_offset");
+}
+
+/// Half the frame's share of the missing approach is the case's own frame.
+TEST(PressedHeight, KnowsTheFrameOfTheCase) {
+  auto half = known();
+  half.nominal.machine.frame.stiffness = 50e6;
+  reduced::PressedHeight const model(half, {row(Asked::compact_height)});
+  auto const missing = missing_approach(model, 0, 9e-3 * 1.02, 20e-6);
+  EXPECT_NEAR(missing.value, 0.5e-3, 1e-9); // 25 kN / (50 kN/mm) = 0.5 mm of the 1 mm
+  EXPECT_EQ(missing.sole_density, 0.0);     // a height needs no density
+  EXPECT_EQ(missing.least, missing.most);
+}
+
+TEST(PressedHeight, TakesOnlyNumbersThatSayAnythingOfTheHeight) {
+  auto data = pressings({{25e3, 9e-3}});
+  data.runs[0].scalars["compact_mass"] = {9.1e-3, 1e-6};
+  auto const rows = reduced::height_rows(data);
+  ASSERT_EQ(rows.rows.size(), 1u);
+  EXPECT_EQ(rows.rows[0].time, 600.0); // 12 mm at 20 um/s
+  ASSERT_EQ(rows.left_out.size(), 1u);
+  EXPECT_NE(rows.left_out[0].find("compact_mass"), std::string::npos);
+  EXPECT_THROW(reduced::measured_rows(data, measured::Role::fit), dem::InvalidInput);
 }
