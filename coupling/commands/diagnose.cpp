@@ -3,6 +3,7 @@
 #include "coupling/finding/case_diagnosis.hpp"
 #include "coupling/finding/finding_json.hpp"
 #include "coupling/finding/finding_page.hpp"
+#include "coupling/finding/height_diagnosis.hpp"
 #include "coupling/measured/read_measured.hpp"
 #include "coupling/press_output.hpp"
 #include "coupling/press_set_up.hpp"
@@ -170,6 +171,16 @@ int diagnose(DiagnoseOptions const& options) {
   auto const data = measured::read_measured(options.measured);
   auto const folder = folder_of(options);
   check_run_folder(folder, options.overwrite);
+  finding::Provenance const provenance{.case_file = options.choice.file.string(),
+                                       .data_folder = options.measured.string(),
+                                       .version = PRESSCHECK_VERSION,
+                                       .simulation = {}};
+  if (data.has_numbers_alone()) {
+    diagnosis::DiagnosisSettings settings;
+    settings.misfit.seed = options.seed;
+    publish(finding::diagnose_heights(setup, data, provenance, settings), setup, folder);
+    return done;
+  }
   auto simulations = options.simulations;
   if (simulations.empty())
     if (int const status =
@@ -182,10 +193,8 @@ int diagnose(DiagnoseOptions const& options) {
   finding::CaseQuestion question{.setup = setup,
                                  .data = data,
                                  .simulated = simulated,
-                                 .provenance = {.case_file = options.choice.file.string(),
-                                                .data_folder = options.measured.string(),
-                                                .version = PRESSCHECK_VERSION,
-                                                .simulation = in_one_line(simulations)}};
+                                 .provenance = provenance};
+  question.provenance.simulation = in_one_line(simulations);
   question.settings.misfit.seed = options.seed;
   finding::CaseDiagnosis diagnosis(question);
   if (diagnosis.can_gain() && !options.is_quick)

@@ -242,6 +242,8 @@ CauseEntries case_entries_of(CalibratedValue const& value, Case const& setup) {
       return change("Contact/Particle-particle/Cohesion energy density", value.value);
     return scaled_cohesion(setup, factor(own));
   }
+  if (value.name == "springback" || value.name == "solid_density")
+    return obstacle("it is a number of the measured compact, which a case does not set");
   return obstacle("no entry of a case is known for it");
 }
 

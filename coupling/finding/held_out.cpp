@@ -15,7 +15,7 @@ HeldOutRuns::HeldOutRuns(measured::MeasuredData const& data, diagnosis::ErrorSou
                          reduced::BedFit const& fit, reduced::BedUncertainty const& uncertainty)
     : tolerances_(sources.tolerances), fit_(fit), uncertainty_(uncertainty) {
   for (auto const& run : data.runs) {
-    if (run.role != measured::Role::held_out)
+    if (run.role != measured::Role::held_out || !run.has_curve())
       continue;
     auto alone = data;
     alone.runs = {run};

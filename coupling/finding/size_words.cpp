@@ -96,9 +96,11 @@ std::string verdict_in_words(Finding const& finding) {
     std::vector<std::string> parts;
     for (auto const& name : finding.group)
       parts.push_back(words_of(name));
-    return fmt::format(
-        "Something is wrong, and these data cannot tell which: {}.{}", joined(parts, "or"),
-        finding.measurements.empty() ? "" : " The next measurement below tells them apart.");
+    return fmt::format("Something is wrong, and these data cannot tell which: {}.{}",
+                       joined(parts, "or"),
+                       !finding.measurements.empty() && finding.measurements.front().is_enough
+                           ? " The next measurement below tells them apart."
+                           : "");
   }
   return "Something is wrong that no known cause explains. Where it shows is described below.";
 }

@@ -11,6 +11,10 @@ Channel const* MeasuredData::channel(std::string_view name) const {
   return found == channels.end() ? nullptr : &*found;
 }
 
+bool MeasuredData::has_numbers_alone() const {
+  return std::ranges::none_of(runs, &Run::has_curve);
+}
+
 std::vector<std::vector<std::size_t>> repeats(MeasuredData const& data) {
   std::vector<std::vector<std::size_t>> groups;
   for (std::size_t k = 0; k < data.runs.size(); ++k) {

@@ -22,6 +22,8 @@ struct Uncertain {
 struct Sample {
   Uncertain mass;         ///< [kg], powder in the die
   Uncertain die_diameter; ///< [m]
+  /// [kg/m^3], of the grains, with which a porosity was computed from mass and outer dimensions.
+  std::optional<Uncertain> solid_density = {};
   bool operator==(Sample const&) const = default;
 };
 
@@ -51,9 +53,10 @@ struct PressProtocol {
   bool operator==(PressProtocol const&) const = default;
 };
 
-/// One pressing. All series have as many values as `time`; NaN where nothing was read.
+/// One pressing. All series have as many values as `time`; NaN where nothing was read. A pressing
+/// of which single numbers alone are known has neither.
 struct Run {
-  std::string file; ///< relative to the folder; names the run
+  std::string file; ///< relative to the folder; names the run (that of numbers alone: its name)
   Role role;
   PressProtocol press;
   std::map<std::string, Uncertain> scalars = {}; ///< compact_height [m], compact_mass [kg], ...
@@ -62,6 +65,7 @@ struct Run {
   std::vector<std::size_t> rows = {}; ///< line of the file that each value came from, from 1
   double clock_sd = 0.0; ///< [s], standard uncertainty of the gap's clock against the force's
 
+  bool has_curve() const { return !time.empty(); }
   bool has(std::string const& channel) const { return series.contains(channel); }
   std::span<double const> channel(std::string const& name) const { return series.at(name); }
 };
@@ -83,6 +87,8 @@ struct MeasuredData {
 
   /// @return  the channel of that name, or nullptr
   Channel const* channel(std::string_view name) const;
+  /// Whether no run has a curve.
+  bool has_numbers_alone() const;
 };
 
 /// Runs of the same protocol, as groups of places in `runs`, in the order of their first; a run

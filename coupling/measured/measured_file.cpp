@@ -19,7 +19,7 @@ using Kind = PlacedJson::Kind;
 using Names = std::vector<std::string>;
 
 Sample read_sample(PlacedJson const& object) {
-  static Names const known = {"mass", "die_diameter"};
+  static Names const known = {"mass", "die_diameter", "solid_density"};
   check_members(object, known);
   auto const value = [&](std::string const& name, Physical physical, std::string_view why) {
     auto const& node = needed(object, name, why);
@@ -29,8 +29,11 @@ Sample read_sample(PlacedJson const& object) {
                                  "wrong?");
     return read;
   };
-  return {.mass = value("mass", Physical::mass, "the powder in the die"),
-          .die_diameter = value("die_diameter", Physical::length, "forces act on its area")};
+  Sample sample{.mass = value("mass", Physical::mass, "the powder in the die"),
+                .die_diameter = value("die_diameter", Physical::length, "forces act on its area")};
+  if (object.find("solid_density") != nullptr)
+    sample.solid_density = value("solid_density", Physical::density, "of the grains");
+  return sample;
 }
 
 Channel read_channel(std::string const& name, PlacedJson const& object) {
@@ -102,21 +105,31 @@ std::map<std::string, Uncertain> read_scalars(PlacedJson const& object) {
   return scalars;
 }
 
+/// The run's curve, or a name where single numbers alone are known.
+PlacedJson const& file_or_name(PlacedJson const& object) {
+  auto const *const file = object.find("file"), *const name = object.find("name");
+  if (file && name)
+    name->refuse("stands beside a file (a run with a curve has the file's name). Remove one?");
+  return name ? *name
+              : needed(object, "file", "the run's curve; of single numbers alone give a \"name\"");
+}
+
 RunEntry read_run(PlacedJson const& object, LabLayout const& layout, ClockChoice const& clock) {
   static Names const known = [] {
-    Names names = {"file", "role", "press", "scalars", "position_file"};
+    Names names = {"file", "name", "role", "press", "scalars", "position_file"};
     names.insert(names.end(), layout_entries().begin(), layout_entries().end());
     return names;
   }();
   static Names const roles = {"fit", "held-out"};
   check_members(object, known);
   RunEntry entry{
-      .run = {.file = text_of(needed(object, "file", "the run's curve")),
+      .run = {.file = text_of(file_or_name(object)),
               .role = choice_of(needed(object, "role", "fit or held-out"), roles) == 0
                           ? Role::fit
                           : Role::held_out,
               .press = read_press(needed(object, "press", "what the press was told to do"))},
       .where = fmt::format("{}:{}: {}", object.file, object.line, object.path),
+      .has_file = object.find("file") != nullptr,
       .position_file = {},
       .layout = layout,
       .clock = clock};

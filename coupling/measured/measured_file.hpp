@@ -13,6 +13,7 @@ namespace coupling::measured {
 struct RunEntry {
   Run run;
   std::string where;         ///< `measured.json:12: runs[0]`
+  bool has_file = true;      ///< false: single numbers alone are known, and run.file is a name
   std::string position_file; ///< empty: the gap is in the run's own file
   LabLayout layout;
   ClockChoice clock;

@@ -34,7 +34,8 @@ void check_files(std::vector<RunEntry>& runs) {
     for (auto* file : {&entry.run.file, &entry.position_file}) {
       if (file == &entry.position_file && file->empty())
         continue;
-      *file = plain_name(*file, entry.where);
+      if (entry.has_file || file == &entry.position_file)
+        *file = plain_name(*file, entry.where);
       auto const [user, is_new] = users.emplace(*file, entry.where);
       VALIDATE(is_new, fmt::format("{}/file = {}: is named twice (first at {}; one pressing is one "
                                    "run). Remove one?",
@@ -68,7 +69,9 @@ void note_roles(MeasuredData& data, std::string const& name) {
 
 void note_unused_channels(MeasuredData& data) {
   auto const is_unused = [&](Channel const& channel) {
-    return std::ranges::none_of(data.runs, [&](Run const& run) { return run.has(channel.name); });
+    return std::ranges::none_of(data.runs, [&](Run const& run) {
+      return run.has(channel.name) || !run.has_curve(); // numbers have these uncertainties, too
+    });
   };
   for (auto const& channel : data.channels)
     if (is_unused(channel))
@@ -98,7 +101,8 @@ MeasuredData parse_measured(std::string_view json, std::string const& folder,
                     .runs = {},
                     .decisions = std::move(file.decisions)};
   for (auto const& entry : file.runs)
-    data.runs.push_back(read_run_series(entry, folder, text_of, data));
+    data.runs.push_back(entry.has_file ? read_run_series(entry, folder, text_of, data)
+                                       : read_run_numbers(entry, data));
   note_roles(data, name);
   note_unused_channels(data);
   remove_twins(data.decisions);

@@ -158,6 +158,36 @@ void check_sample(Sample const& sample, PressProtocol const& press, std::string 
                   press.end_gap / mm, density, limits::least_density, limits::largest_density));
 }
 
+void check_numbers(Sample const& sample, Run const& run, std::string const& where) {
+  auto const number = [&](char const* name) {
+    auto const found = run.scalars.find(name);
+    return found == run.scalars.end() ? nullptr : &found->second;
+  };
+  auto const* const force = number("max_force");
+  auto const *const height = number("compact_height"), *const porosity = number("porosity");
+  VALIDATE(force && (height || porosity),
+           fmt::format("{}: a run without a file has no {} (a curve is missing, so only numbers "
+                       "can be held together: force, gap and compact). Add it to its scalars, or "
+                       "a file?",
+                       where, force ? "compact_height and no porosity" : "max_force"));
+  double const pressure = force->value / area_of(sample);
+  VALIDATE(pressure >= limits::least_pressure && pressure <= limits::largest_pressure,
+           fmt::format("{}: max_force = {:.6g} N is {:.4g} MPa on the die's area (powders are "
+                       "pressed at {:g} to {:g} MPa). Is its unit wrong by 1000?",
+                       where, force->value, pressure / MPa, limits::least_pressure / MPa,
+                       limits::largest_pressure / MPa));
+  VALIDATE(!porosity || (porosity->value > 0.0 && porosity->value < 1.0),
+           fmt::format("{}: porosity = {:g} is not between 0 and 1 (a share of the compact's "
+                       "volume). Is it in per cent?",
+                       where, porosity->value));
+  VALIDATE(
+      !height ||
+          (height->value > 0.5 * run.press.end_gap && height->value < 2.0 * run.press.fill_height),
+      fmt::format("{}: compact_height = {:.6g} mm does not belong to a bed of {:.6g} mm that "
+                  "is pressed to {:.6g} mm. Is its unit wrong by 1000?",
+                  where, height->value / mm, run.press.fill_height / mm, run.press.end_gap / mm));
+}
+
 void check_not_swapped(RunCheck const& check) {
   auto const& gap = check.run.series.at("punch_gap");
   auto const& force = check.run.series.at("upper_punch_force");

@@ -20,6 +20,10 @@ struct RunCheck {
 /// Mass, die and end gap make a density that powders have, else one of their units is wrong.
 void check_sample(Sample const& sample, PressProtocol const& press, std::string const& where);
 
+/// A run of single numbers alone holds a force and what its compact measures, in units that are not
+/// wrong by 1000.
+void check_numbers(Sample const& sample, Run const& run, std::string const& where);
+
 /// Gap and force are not in each other's column: read the other way round they would fit the
 /// protocol, and as they stand they do not.
 void check_not_swapped(RunCheck const& check);

@@ -117,4 +117,10 @@ Run read_run_series(RunEntry const& entry, std::string const& folder, FileText c
   return run;
 }
 
+Run read_run_numbers(RunEntry const& entry, MeasuredData const& data) {
+  check_sample(data.sample, entry.run.press, entry.where);
+  check_numbers(data.sample, entry.run, entry.where);
+  return entry.run;
+}
+
 } // namespace coupling::measured

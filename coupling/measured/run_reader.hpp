@@ -14,4 +14,7 @@ namespace coupling::measured {
 Run read_run_series(RunEntry const& entry, std::string const& folder, FileText const& text_of,
                     MeasuredData& data);
 
+/// A run without a file: its numbers, checked.
+Run read_run_numbers(RunEntry const& entry, MeasuredData const& data);
+
 } // namespace coupling::measured

@@ -33,7 +33,7 @@ Json press_json(PressProtocol const& press) {
 }
 
 Json run_json(Run const& run) {
-  Json json = {{"file", csv_name(run.file)},
+  Json json = {{run.has_curve() ? "file" : "name", run.has_curve() ? csv_name(run.file) : run.file},
                {"role", run.role == Role::fit ? "fit" : "held-out"},
                {"press", press_json(run.press)}};
   for (auto const& [name, value] : run.scalars)
@@ -60,6 +60,8 @@ std::string description(MeasuredData const& data) {
                {"channels", Json::object()},
                {"gap_source", data.gap_source == GapSource::commanded ? "commanded" : "measured"},
                {"runs", Json::array()}};
+  if (data.sample.solid_density)
+    json["sample"]["solid_density"] = uncertain_json(*data.sample.solid_density, Physical::density);
   for (auto const& channel : data.channels) {
     json["channels"][channel.name] = {{"unit", channel.unit}, {"sd", channel.sd}};
     if (channel.sd_relative > 0.0)
@@ -96,9 +98,11 @@ std::string table(MeasuredData const& data, Run const& run) {
 
 std::map<std::string, std::string> print_measured(MeasuredData const& data) {
   std::map<std::string, std::string> texts;
+  std::size_t n_curves = 0;
   for (auto const& run : data.runs)
-    texts[csv_name(run.file)] = table(data, run);
-  EXPECT(texts.size() == data.runs.size());
+    if (run.has_curve())
+      texts[csv_name(run.file)] = table(data, run), ++n_curves;
+  EXPECT(texts.size() == n_curves);
   texts["measured.json"] = description(data);
   return texts;
 }

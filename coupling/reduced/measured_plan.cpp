@@ -146,6 +146,11 @@ public:
     rows_.plan.runs.push_back(std::move(planned));
   }
 
+  void leave_out(Run const& run) {
+    rows_.left_out.push_back(fmt::format(
+        "{}: has no curve, so its numbers are not used beside runs that have one", run.file));
+  }
+
   MeasuredRows take() {
     for (auto const& channel : used_) {
       auto const* const described = data_->channel(channel);
@@ -218,9 +223,11 @@ MeasuredRows measured_rows(MeasuredData const& data, measured::Role role, Binnin
   Collector collector(data, binning);
   std::size_t n = 0;
   for (auto const& run : data.runs)
-    if (run.role == role)
+    if (run.role == role && run.has_curve())
       collector.add(run), ++n;
-  VALIDATE(n > 0, "measured data: no run has the role that is asked for");
+    else if (run.role == role)
+      collector.leave_out(run);
+  VALIDATE(n > 0, "measured data: no run with a curve has the role that is asked for");
   return collector.take();
 }
 

@@ -68,6 +68,23 @@ protected:
            press(8.5e-3) + "}]\n}\n";
   }
 
+  /// A pressing of which a force and a porosity are known, and nothing else.
+  static std::string numbers_alone() {
+    return "{\n"
+           "  \"sample\": {\"mass\": {\"value\": 9.13, \"sd\": 0.01, \"unit\": \"g\"},\n"
+           "    \"die_diameter\": {\"value\": 22.05, \"sd\": 0.005, \"unit\": \"mm\"},\n"
+           "    \"solid_density\": {\"value\": 3.52, \"sd\": 0.08, \"unit\": \"g/cm^3\"}},\n"
+           "  \"channels\": {\"upper_punch_force\": {\"unit\": \"N\", \"sd\": 12.0},\n"
+           "    \"punch_gap\": {\"unit\": \"um\", \"sd\": 100}},\n"
+           "  \"gap_source\": \"commanded\",\n"
+           "  \"runs\": [\n"
+           "    {\"name\": \"one\", \"role\": \"fit\", \"press\": " +
+           press() +
+           ",\n"
+           "     \"scalars\": {\"max_force\": {\"value\": 25095, \"sd\": 25, \"unit\": \"N\"},\n"
+           "       \"porosity\": {\"value\": 0.2608, \"sd\": 0.002, \"unit\": \"1\"}}}]\n}\n";
+  }
+
   std::string json_ = description();
   std::map<std::string, std::string> files_ = {{"run1.csv", csv(press_rows())},
                                                {"run2.csv", csv(press_rows(8.5e-3))}};

@@ -45,6 +45,21 @@ TEST_F(MeasuredRead, TakesScalarsAndDwell) {
   EXPECT_DOUBLE_EQ(run.press.speed_down, 5e-5);
 }
 
+TEST_F(MeasuredRead, TakesAPressingWithoutACurve) {
+  json_ = numbers_alone();
+  auto const data = read();
+  EXPECT_TRUE(data.has_numbers_alone());
+  EXPECT_FALSE(MeasuredTexts::read(description(), files_).has_numbers_alone());
+  ASSERT_EQ(data.runs.size(), 1u);
+  EXPECT_EQ(data.runs[0].file, "one");
+  EXPECT_EQ(data.runs[0].scalars.at("max_force"), (Uncertain{25095.0, 25.0}));
+  EXPECT_EQ(data.sample.solid_density, (Uncertain{3520.0, 80.0}));
+  // The canonical form reads back the same.
+  auto const texts = print_measured(data);
+  ASSERT_EQ(texts.size(), 1u);
+  EXPECT_EQ(print_measured(MeasuredTexts::read(texts.at("measured.json"), {})), texts);
+}
+
 TEST_F(MeasuredRead, KeepsGapsAndCountsThem) {
   for (std::size_t const row : {7, 8, 9, 20})
     set_row(row,

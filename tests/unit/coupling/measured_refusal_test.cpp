@@ -115,6 +115,42 @@ TEST_F(MeasuredFileRefused, ForItsFiles) {
       "measured.json: runs: all are held out (nothing is left to fit). Give one the role \"fit\"?");
 }
 
+TEST_F(MeasuredFileRefused, ForNumbersThatSayNothing) {
+  auto const alone = [&](std::string const& from, std::string const& to) {
+    json_ = numbers_alone();
+    replace(json_, from, to);
+    return refusal();
+  };
+  EXPECT_EQ(alone("\"name\": \"one\", ", ""),
+            "measured.json:9: runs[0]/file is missing (the run's curve; of single numbers alone "
+            "give a \"name\"). Add it?");
+  EXPECT_EQ(alone("\"name\"", "\"file\": \"run1.csv\", \"name\""),
+            "measured.json:9: runs[0]/name = one: stands beside a file (a run with a curve has the "
+            "file's name). Remove one?");
+  EXPECT_EQ(alone("\"max_force\"", "\"ejection_force\""),
+            "measured.json:9: runs[0]: a run without a file has no max_force (a curve is missing, "
+            "so only numbers can be held together: force, gap and compact). Add it to its scalars, "
+            "or a file?");
+  EXPECT_EQ(alone("\"porosity\": {\"value\": 0.2608, \"sd\": 0.002, \"unit\": \"1\"}",
+                  "\"compact_mass\": {\"value\": 9, \"sd\": 0.1, \"unit\": \"g\"}"),
+            "measured.json:9: runs[0]: a run without a file has no compact_height and no porosity "
+            "(a curve is missing, so only numbers can be held together: force, gap and compact). "
+            "Add it to its scalars, or a file?");
+  EXPECT_EQ(alone("25095, \"sd\": 25, \"unit\": \"N\"", "25095, \"sd\": 25, \"unit\": \"kN\""),
+            "measured.json:9: runs[0]: max_force = 2.5095e+07 N is 6.572e+04 MPa on the die's area "
+            "(powders are pressed at 0.5 to 2000 MPa). Is its unit wrong by 1000?");
+  EXPECT_EQ(alone("0.2608", "26.08"),
+            "measured.json:9: runs[0]: porosity = 26.08 is not between 0 and 1 (a share of the "
+            "compact's volume). Is it in per cent?");
+  EXPECT_EQ(alone("\"porosity\": {\"value\": 0.2608, \"sd\": 0.002, \"unit\": \"1\"}",
+                  "\"compact_height\": {\"value\": 9.5, \"sd\": 0.1, \"unit\": \"m\"}"),
+            "measured.json:9: runs[0]: compact_height = 9500 mm does not belong to a bed of 11 mm "
+            "that is pressed to 8 mm. Is its unit wrong by 1000?");
+  EXPECT_EQ(alone("3.52", "-3.52"),
+            "measured.json:4: sample/solid_density/value = -3.52: is not positive (there is "
+            "something to press). Is the sign wrong?");
+}
+
 TEST_F(MeasuredFileRefused, WhenMassAndDieMakeNoPowder) {
   EXPECT_EQ(with("\"unit\": \"g\"", "\"unit\": \"kg\""),
             "measured.json:8: runs[0]: 9130 g in a die of 22.05 mm at the end gap of 8 mm makes "
