@@ -51,12 +51,43 @@ std::vector<Proposal> const& proposals() {
   return all;
 }
 
+std::string channel_of(Asked asked) {
+  switch (asked) {
+  case Asked::compact_height:
+    return "compact_height";
+  case Asked::porosity:
+    return "porosity";
+  case Asked::height_less_gap:
+    return "compact_height_less_gap";
+  case Asked::gap_at_peak:
+    return "gap_at_peak";
+  case Asked::blank_travel:
+    return "travel_from_touch";
+  case Asked::blank_zero:
+    return "gap_at_touch";
+  case Asked::opening_travel:
+    return "travel_of_opening";
+  }
+  return "";
+}
+
+std::vector<diagnosis::ReadingPlace> places_of(Proposal const& proposal,
+                                               std::vector<HeightRow> const& rows) {
+  std::vector<diagnosis::ReadingPlace> places;
+  for (std::size_t k = 0; k < rows.size(); ++k)
+    places.push_back({.channel = channel_of(proposal.asked[k]),
+                      .unit = "m",
+                      .phase = diagnosis::Phase::after,
+                      .gap = rows[k].gap});
+  return places;
+}
+
 /// Each number a channel of its own.
 diagnosis::Observations observations_of(Proposal const& proposal, Eigen::VectorXd const& values,
                                         diagnosis::ErrorSources& errors) {
   std::vector<diagnosis::ChannelBlock> blocks;
   for (Index k = 0; k < values.size(); ++k) {
-    auto const channel = proposal.name + ", " + std::to_string(k + 1);
+    auto const channel = channel_of(proposal.asked[static_cast<std::size_t>(k)]);
     blocks.push_back({.run = proposal.name,
                       .channel = channel,
                       .phase = diagnosis::Phase::after,
@@ -74,7 +105,8 @@ CandidateMeasurement candidate(Proposal const& proposal, PressedHeight const& of
   for (std::size_t k = 0; k < rows.size(); ++k)
     rows[k].asked = proposal.asked[k], rows[k].force *= proposal.force_share;
   auto const model = of.with_rows(rows);
-  CandidateMeasurement result{.name = proposal.name, .unit = "m", .cost = proposal.cost};
+  CandidateMeasurement result{
+      .name = proposal.name, .cost = proposal.cost, .places = places_of(proposal, rows)};
   result.baseline = model.predict(at);
   // Slopes as finite differences over a tenth of a prior size, where laws are nearly straight.
   constexpr double part = 0.1;
