@@ -190,10 +190,8 @@ int diagnose(DiagnoseOptions const& options) {
   auto simulated = reduced::simulated_press(simulations);
   simulated.sheet.young_modulus_sd = options.modulus_sd;
   simulated.sheet.cohesion_sd = options.cohesion_sd;
-  finding::CaseQuestion question{.setup = setup,
-                                 .data = data,
-                                 .simulated = simulated,
-                                 .provenance = provenance};
+  finding::CaseQuestion question{
+      .setup = setup, .data = data, .simulated = simulated, .provenance = provenance};
   question.provenance.simulation = in_one_line(simulations);
   question.settings.misfit.seed = options.seed;
   finding::CaseDiagnosis diagnosis(question);

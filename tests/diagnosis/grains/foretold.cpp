@@ -1,5 +1,7 @@
 #include "tests/diagnosis/grains/foretold.hpp"
 
+#include "tests/diagnosis/grains/strokes.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,70 +17,6 @@ using Eigen::VectorXd;
 constexpr double opened_gap = 8.3 * mm; ///< where the pilot turns that stands for a wider bed
 constexpr int n_closing = 24, n_opening = 16, n_channels = 3;
 constexpr Eigen::Index n_of_channel = n_closing + n_opening;
-
-/// Readings of one channel at given gaps, linear between the moments of a stroke.
-VectorXd at_gaps(std::vector<Moment> const& stroke, double Moment::*reading,
-                 std::vector<double> const& gaps) {
-  VectorXd values(static_cast<Eigen::Index>(gaps.size()));
-  for (std::size_t k = 0; k < gaps.size(); ++k) {
-    // By falling gap.
-    auto const after =
-        std::ranges::lower_bound(stroke, -gaps[k], {}, [](auto& at) { return -at.gap; });
-    auto const next = std::clamp(after, stroke.begin() + 1, stroke.end() - 1), before = next - 1;
-    double const share =
-        std::clamp((before->gap - gaps[k]) / std::max(before->gap - next->gap, 1e-12), 0.0, 1.0);
-    values[static_cast<Eigen::Index>(k)] =
-        (*before).*reading + share * ((*next).*reading - (*before).*reading);
-  }
-  return values;
-}
-
-/// Gaps at equal distances from where the upper force is 1 % of its peak to the turn.
-std::vector<double> gaps_of(std::vector<Pressed> const& stroke, double peak, int n) {
-  double widest = 0.0, least = stroke.front().height;
-  for (auto const& at : stroke) {
-    least = std::min(least, at.height);
-    if (at.upper > 0.01 * peak)
-      widest = std::max(widest, at.height);
-  }
-  std::vector<double> gaps;
-  for (int k = 0; k < n; ++k)
-    gaps.push_back(least + (widest - least) * (k + 0.5) / n);
-  return gaps;
-}
-
-/// The same bed when the punch turns before it came down: loading to there, and unloading, which in
-/// heights over the lowest one and forces over the largest is the same from any turn near by.
-Curve turned_at(Curve const& curve, double gap) {
-  Curve early = curve;
-  while (early.loading.back().height < gap)
-    early.loading.pop_back();
-  auto const &turn = early.loading.back(), &was = curve.loading.back();
-  for (auto& at : early.unloading) {
-    at.height *= turn.height / was.height;
-    at.upper *= turn.upper / was.upper;
-    at.lower *= turn.lower / was.lower;
-    at.radial *= turn.radial / was.radial;
-  }
-  return early;
-}
-
-/// The same bed with another mass: stresses hang on the solid fraction alone.
-Curve with_mass(Curve curve, double share) {
-  for (auto* stroke : {&curve.loading, &curve.unloading})
-    for (auto& at : *stroke)
-      at.height *= 1.0 + share;
-  return curve;
-}
-
-/// The same in a bore that is wider by a share: less solid at a gap, on more area.
-Curve with_bore(Curve curve, double share) {
-  double const area = (1.0 + share) * (1.0 + share);
-  for (auto* stroke : {&curve.loading, &curve.unloading})
-    for (auto& at : *stroke)
-      at.height /= area, at.upper *= area, at.lower *= area;
-  return curve;
-}
 
 } // namespace
 

@@ -73,11 +73,13 @@ std::string filling(GrainPress const& press) {
   }
   int inside = 0; // the peer counts all grains that are there
   for (int k = 0; k < n; ++k)
-    text +=
-        fmt::format("fix i{0} all insert/pack seed {1} distributiontemplate d{0} insert_every once "
-                    "overlapcheck yes all_in yes particles_in_region {2} region bed\nrun 1\n",
-                    k, prime_seed(press.packing, 3 * k + 2), inside += classes[k].number);
-  return text;
+    text += fmt::format("fix i{0} all insert/pack seed {1} distributiontemplate d{0} maxattempt "
+                        "5000 insert_every once "
+                        "overlapcheck yes all_in yes particles_in_region {2} region bed\nrun 1\n",
+                        k, prime_seed(press.packing, 3 * k + 2), inside += classes[k].number);
+  // A bed that is not whole is no bed: without curves the caller says that the simulation failed.
+  return text + fmt::format("variable n_grains equal atoms\nif \"${{n_grains}} != {}\" then quit\n",
+                            inside);
 }
 
 /// A move of the upper punch; `step` and `time` go on with it.
