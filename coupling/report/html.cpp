@@ -97,8 +97,11 @@ std::string format_quantity(double value, std::string_view unit, int digits) {
   if (unit == "s")
     last = 0; // or kilosecond of a run
   auto const k = std::clamp(power, -3, last);
-  return fmt::format("{:#.{}g} {}{}", value / std::pow(1000.0, k), digits,
-                     prefixes[static_cast<std::size_t>(k + 3)], unit);
+  double const shown = value / std::pow(1000.0, k);
+  auto const prefix = prefixes[static_cast<std::size_t>(k + 3)];
+  if (std::abs(shown) >= std::pow(10.0, digits - 1)) // an exponent or a bare point otherwise
+    return fmt::format("{:.0f} {}{}", shown, prefix, unit);
+  return fmt::format("{:#.{}g} {}{}", shown, digits, prefix, unit);
 }
 
 std::string fill_template(std::string_view page,

@@ -90,6 +90,9 @@ TEST(FormatQuantity, PicksTheUnitThatPeopleSay) {
   EXPECT_EQ(coupling::format_quantity(1000.0, "N"), "1.000 kN");
   EXPECT_EQ(coupling::format_quantity(-2.5e-5, "m", 3), "-25.0 µm");
   EXPECT_EQ(coupling::format_quantity(3.2e8, "Pa"), "320.0 MPa");
+  EXPECT_EQ(coupling::format_quantity(1.234e-4, "m", 2), "123 µm");
+  EXPECT_EQ(coupling::format_quantity(1.234e-4, "m", 3), "123 µm");
+  EXPECT_EQ(coupling::format_quantity(1.2e-5, "m", 2), "12 µm");
   EXPECT_EQ(coupling::format_quantity(0.0, "N"), "0 N");
   EXPECT_EQ(coupling::format_quantity(0.41, "1"), "0.4100");
   EXPECT_EQ(coupling::format_quantity(nan, "N"), "not reached");
