@@ -61,10 +61,14 @@ std::vector<std::string> as_far_as(measured::MeasuredData const& data, Case cons
   return {fmt::format("Press programme/Stage {}/Gap = {} m", stage + 1, least)};
 }
 
-/// As many packings as have the grains of a bed that scatters by half a per cent, at most four.
-int packings_of(std::size_t n_grains) {
+/// As many packings as have the grains of a bed that scatters by half a per cent, at most four; a
+/// fill from a file is one packing.
+int packings_of(Press const& press) {
   constexpr std::size_t enough = 10'000, most = 4;
-  return static_cast<int>(std::clamp((enough + n_grains - 1) / n_grains, std::size_t{1}, most));
+  auto const n = press.world.grains.size();
+  return press.setup.powder.fill_method != FillMethod::random
+             ? 1
+             : static_cast<int>(std::clamp((enough + n - 1) / n, std::size_t{1}, most));
 }
 
 /// Runs packings of a case: into `folder`, and folder_2, ... beside it. @returns exit status
@@ -72,6 +76,11 @@ int simulate(CaseChoice const& choice, measured::MeasuredData const& data,
              DiagnoseOptions const& options, fs::path const& folder,
              std::vector<fs::path>& simulated) {
   auto const further = as_far_as(data, read_chosen_case(choice));
+  VALIDATE(options.packings <= 1 ||
+               read_chosen_case(choice).powder.fill_method == FillMethod::random,
+           fmt::format("--packings {}: {} fills its die from a file, which is one packing. Give "
+                       "other packings by --simulation?",
+                       options.packings, choice.file.string()));
   int n = std::max(options.packings, 1);
   for (int k = 0; k < n; ++k) {
     auto packing = choice;
@@ -81,7 +90,7 @@ int simulate(CaseChoice const& choice, measured::MeasuredData const& data,
     auto const into = k == 0 ? folder : fs::path(fmt::format("{}_{}", folder.string(), k + 1));
     Press press = set_up_press(setup);
     if (options.packings == 0)
-      n = packings_of(press.world.grains.size());
+      n = packings_of(press);
     std::cout << fmt::format("simulating {} in {} (packing {} of {})\n", choice.file.string(),
                              into.string(), k + 1, n);
     clear_run_folder(into);

@@ -104,6 +104,7 @@ Finding CaseDiagnosis::finding() const {
   for (auto const& decision : question_.data.decisions)
     parts.decisions.push_back(in_words(decision));
   parts.decisions.push_back(in_words(question_.simulated.fit));
+  parts.decisions.push_back(packings_in_words(question_.simulated));
   for (auto const* const words : {&rows_.left_out, &question_.simulated.fit.statements})
     parts.decisions.insert(parts.decisions.end(), words->begin(), words->end());
   parts.places = places_of(rows_.plan);

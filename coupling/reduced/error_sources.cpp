@@ -1,5 +1,7 @@
 #include "coupling/reduced/error_sources.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -73,6 +75,21 @@ BedUncertainty uncertainty_of(SimulatedPress const& simulated) {
   uncertainty.onset = 0.0; // is in the scatter of the packings
   uncertainty.packing = packing_scatter(static_cast<double>(simulated.n_grains));
   return uncertainty;
+}
+
+std::string packings_in_words(SimulatedPress const& simulated) {
+  auto const of = uncertainty_of(simulated);
+  if (simulated.n_grains == 0)
+    return fmt::format(
+        "the simulation's grains are not known (no run.h5): its onset is taken to be "
+        "unsure by {:.2g}",
+        of.onset);
+  return fmt::format(
+      "{} packing{} of {} grains stand{} for the simulation; a packing, simulated or "
+      "pressed, departs by {:.2g} % of sqrt(F F_max) (12 packings of 2204 grains, "
+      "scaled with 1 / sqrt(grains))",
+      of.n_packings, of.n_packings == 1 ? "" : "s", simulated.n_grains,
+      of.n_packings == 1 ? "s" : "", 100.0 * of.packing.stress);
 }
 
 MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,

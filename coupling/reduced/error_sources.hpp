@@ -5,6 +5,8 @@
 #include "coupling/reduced/press_model.hpp"
 #include "coupling/reduced/simulated_press.hpp"
 
+#include <string>
+
 namespace coupling::reduced {
 
 /// How well the numbers of a simulated bed are known, the same for all runs: what another packing
@@ -21,6 +23,9 @@ struct BedUncertainty {
 /// Of a simulation: its grains scatter as so many do, in the laboratory, too, since the case is
 /// what is known of that powder. Without grains the onset alone is unsure.
 BedUncertainty uncertainty_of(SimulatedPress const& simulated);
+
+/// What is assumed of the packings of a simulation, in a sentence.
+std::string packings_in_words(SimulatedPress const& simulated);
 
 /// Covariance of the rows of a plan at the nominal press, n_rows x n_rows: the changes by these;
 /// packings, a share 1 / n_packings in all runs together and once more in each run by itself; and

@@ -97,6 +97,36 @@ TEST(CaseDiagnosis, IsSilentWhereNothingIsWrong) {
   EXPECT_EQ(found.detectable.size(), reduced::known_causes().size());
 }
 
+TEST(CaseDiagnosis, SaysWhatIsAssumedOfPackings) {
+  auto simulation = simulated();
+  EXPECT_EQ(uncertainty_of(simulation).onset, 0.0012);
+  EXPECT_NE(packings_in_words(simulation).find("onset is taken to be unsure by 0.0012"),
+            std::string::npos);
+  simulation.n_grains = 2204, simulation.n_packings = 3;
+  EXPECT_EQ(uncertainty_of(simulation).onset, 0.0);
+  EXPECT_EQ(uncertainty_of(simulation).packing.stress, 0.011);
+  EXPECT_EQ(packings_in_words(simulation).substr(0, 57),
+            "3 packings of 2204 grains stand for the simulation; a pac");
+}
+
+TEST(CaseDiagnosis, MorePackingsAreLessUnsure) {
+  auto const data = laboratory({});
+  auto const rows = reduced::measured_rows(data, measured::Role::fit);
+  auto simulation = simulated();
+  simulation.n_grains = 2204;
+  reduced::PressModel const model(simulation.nominal, simulation.sheet, {}, rows.plan);
+  auto const variance = [&](std::size_t n_packings) {
+    simulation.n_packings = n_packings;
+    return numerical_covariance(model, simulation.fit, uncertainty_of(simulation))
+        .diagonal()
+        .eval();
+  };
+  // One share for the simulation, one for the pressing itself: 2, 5/4 and 1 of the same.
+  Eigen::VectorXd const one = variance(1), four = variance(4), many = variance(1'000'000'000);
+  EXPECT_NEAR((one - four).norm(), 3.0 * (four - many).norm(), 1e-6 * one.norm());
+  EXPECT_GT(one.sum(), 1.5 * many.sum());
+}
+
 TEST(CaseDiagnosis, NamesASoftFrameAndMeasuresTheGain) {
   auto const found = diagnosed({.frame = {.stiffness = 50e6}});
   ASSERT_EQ(found.verdict, "named");
