@@ -32,6 +32,9 @@ each("p_of_f", rownames(dropped), dropped[["Pr(>F)"]])
 added <- anova(model)
 each("sequential_ss", rownames(added), added[["Sum Sq"]])
 
+# R's anova says NA where F is below the machine's precision: whether a rounding of zero is, hangs on the processor.
+of_zero <- function(value, at_zero) ifelse(is.na(value), at_zero, value)
+
 # A group of terms together: the full model against the one without them.
 group <- function(name, is_in) {
   if (!any(is_in)) return(invisible())
@@ -39,8 +42,8 @@ group <- function(name, is_in) {
   reduced <- if (length(rest)) lm(keep_order(rest), runs) else lm(y ~ 1, runs)
   comparison <- anova(reduced, model)
   say(paste0("group_ss/", name), comparison[["Sum of Sq"]][2])
-  say(paste0("group_f/", name), comparison[["F"]][2])
-  say(paste0("group_p/", name), comparison[["Pr(>F)"]][2])
+  say(paste0("group_f/", name), of_zero(comparison[["F"]][2], 0))
+  say(paste0("group_p/", name), of_zero(comparison[["Pr(>F)"]][2], 1))
 }
 is_square <- grepl("I\\(", words)
 is_interaction <- grepl(":", words)
