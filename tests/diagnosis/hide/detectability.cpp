@@ -2,22 +2,39 @@
 
 #include "tests/diagnosis/hide/readings.hpp"
 
+#include <boost/math/tools/minima.hpp>
+
 #include <algorithm>
 #include <cmath>
 
 namespace hidden {
 namespace {
 
+using Eigen::Index;
+using Eigen::VectorXd;
+
 enum class Gauge { upper, lower, radial, ejection, height };
 
 /// Every sixth moment of the cycle stands for the readings around it, all gauges one below another.
 struct Observed {
   std::vector<double> value, sd, phase; ///< phase 0 to 1 over the cycle's moments
+  std::vector<double> slope;            ///< change of the reading over that of the gap
   std::vector<Gauge> gauge;
-  void add(double y, double error, double at, Gauge from) {
-    value.push_back(y), sd.push_back(error), phase.push_back(at), gauge.push_back(from);
+  void add(double y, double error, double at, double over_gap, Gauge from) {
+    value.push_back(y), sd.push_back(error), phase.push_back(at);
+    slope.push_back(over_gap), gauge.push_back(from);
   }
 };
+
+/// Of a reading over the gap, from the moment before and, but at the turn, the one after.
+double slope_over_gap(std::vector<Moment> const& moments, std::size_t k, double Moment::*reading) {
+  auto const& before = moments[k - 1];
+  bool const turns = k + 1 == moments.size() ||
+                     (moments[k + 1].gap - moments[k].gap) * (moments[k].gap - before.gap) <= 0.0;
+  auto const& after = moments[turns ? k : k + 1];
+  double const opened = after.gap - before.gap;
+  return std::abs(opened) > 1e-9 ? (after.*reading - before.*reading) / opened : 0.0; // a dwell
+}
 
 void add_channel(Observed& out, Cycle const& cycle, Sensor const& sensor, double Moment::*reading,
                  Gauge gauge) {
@@ -26,7 +43,8 @@ void add_channel(Observed& out, Cycle const& cycle, Sensor const& sensor, double
     // Onset and loss of contact are no Gaussian matter: wider there (note 2a).
     double const kink = gauge == Gauge::radial ? 0.0 : 100.0 * std::exp(-std::abs(y) / 300.0);
     out.add(y, std::hypot(sensor.at(y), std::abs(y) > 30.0 ? kink : 0.0),
-            static_cast<double>(k) / static_cast<double>(cycle.moments.size()), gauge);
+            static_cast<double>(k) / static_cast<double>(cycle.moments.size()),
+            slope_over_gap(cycle.moments, k, reading), gauge);
   }
 }
 
@@ -41,17 +59,16 @@ Observed observed(Case const& of, Powder const& powder, Effects const& effects,
     if (has_all_gauges(of.observables)) {
       add_channel(out, cycle, force_sensor, &Moment::lower, Gauge::lower);
       add_channel(out, cycle, pressure_sensor, &Moment::radial, Gauge::radial);
-      out.add(cycle.ejection_force, ejection_sd, 0.0, Gauge::ejection);
+      out.add(cycle.ejection_force, ejection_sd, 0.0, 0.0, Gauge::ejection);
     }
     if (has_compact_height(of.observables))
-      out.add(cycle.compact_height, height_sd, 0.0, Gauge::height);
+      out.add(cycle.compact_height, height_sd, 0.0, 0.0, Gauge::height);
   }
   return out;
 }
 
-Eigen::VectorXd values(Observed const& from) {
-  return Eigen::Map<Eigen::VectorXd const>(from.value.data(),
-                                           static_cast<Eigen::Index>(from.value.size()));
+VectorXd values(Observed const& from) {
+  return Eigen::Map<VectorXd const>(from.value.data(), static_cast<Index>(from.value.size()));
 }
 
 /// Tolerance of every simulator: 0.3 % of a reading, Matern 3/2 over the cycle, 0.8 between runs,
@@ -64,15 +81,23 @@ double tolerance(Observed const& base, std::size_t i, std::size_t j, std::size_t
          (i / rows == j / rows ? 1.0 : 0.8);
 }
 
+/// All gauges of a moment are held against one reading of the gap.
+double gap_noise(Observed const& base, std::size_t i, std::size_t j, std::size_t rows) {
+  bool const is_one_moment = i / rows == j / rows && base.phase[i] == base.phase[j];
+  return is_one_moment ? std::pow(gap_sensor.sd, 2) * base.slope[i] * base.slope[j] : 0.0;
+}
+
 /// Repeats scatter run by run, so their directions are cut to one run each.
-Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_runs) {
-  auto const n = static_cast<Eigen::Index>(base.value.size()), rows = n / n_runs;
-  Eigen::VectorXd const y = values(base);
+Eigen::MatrixXd covariance(Case const& of, Observed const& base, Index n_runs) {
+  auto const n = static_cast<Index>(base.value.size()), rows = n / n_runs;
+  VectorXd const y = values(base);
   Eigen::MatrixXd sigma(n, n);
-  for (Eigen::Index i = 0; i < n; ++i) {
+  for (Index i = 0; i < n; ++i) {
     auto const k = static_cast<std::size_t>(i);
-    for (Eigen::Index j = 0; j < n; ++j)
-      sigma(i, j) = tolerance(base, k, static_cast<std::size_t>(j), static_cast<std::size_t>(rows));
+    for (Index j = 0; j < n; ++j)
+      sigma(i, j) =
+          tolerance(base, k, static_cast<std::size_t>(j), static_cast<std::size_t>(rows)) +
+          gap_noise(base, k, static_cast<std::size_t>(j), static_cast<std::size_t>(rows));
     sigma(i, i) += base.sd[k] * base.sd[k];
   }
   auto const scale = scatter_scale();
@@ -80,14 +105,14 @@ Eigen::MatrixXd covariance(Case const& of, Observed const& base, Eigen::Index n_
        {&Repeat::mass, &Repeat::packing, &Repeat::friction, &Repeat::zero, &Repeat::cell_zero}) {
     Repeat one;
     one.*part = scale.*part;
-    Eigen::VectorXd const moved = values(observed(of, of.powder, {}, one)) - y;
-    for (Eigen::Index run = 0; run < n_runs; ++run)
+    VectorXd const moved = values(observed(of, of.powder, {}, one)) - y;
+    for (Index run = 0; run < n_runs; ++run)
       sigma.block(run * rows, run * rows, rows, rows) +=
           moved.segment(run * rows, rows) * moved.segment(run * rows, rows).transpose();
   }
   // The simulation that the data will be held against is wrong in all runs alike.
   for (auto const& powder : simulated_departures(of.powder)) {
-    Eigen::VectorXd const moved = values(observed(of, powder, {}, {})) - y;
+    VectorXd const moved = values(observed(of, powder, {}, {})) - y;
     sigma += moved * moved.transpose();
   }
   return sigma;
@@ -103,43 +128,70 @@ Detector::Detector(Case const& of) : case_(of) {
   Powder stiff = of.powder, sticky = of.powder;
   stiff.young_modulus *= 1.02;
   sticky.cohesion_density *= 1.05;
-  nuisance_.resize(base_.size(), 2);
-  nuisance_.col(0) = 7.5 * (values(observed(of, stiff, {}, {})) - base_);
-  nuisance_.col(1) = 6.0 * (values(observed(of, sticky, {}, {})) - base_);
-  nuisance_ = root_.matrixL().solve(nuisance_).eval();
+  modulus_ = 7.5 * (values(observed(of, stiff, {}, {})) - base_);
+  cohesion_ = 6.0 * (values(observed(of, sticky, {}, {})) - base_);
 }
 
-Eigen::VectorXd Detector::projected(Eigen::VectorXd const& moved) const {
-  Eigen::VectorXd const white = root_.matrixL().solve(moved);
+VectorXd Detector::projected(VectorXd const& moved, VectorXd const& stiffer) const {
+  VectorXd const white = root_.matrixL().solve(moved);
+  Eigen::MatrixXd const absorbed =
+      root_.matrixL().solve((Eigen::MatrixXd(moved.size(), 2) << stiffer, cohesion_).finished());
   // Priors of 15 % and 30 % hold the two: a ridge instead of a bare projection.
-  Eigen::Matrix2d const normal = nuisance_.transpose() * nuisance_ + Eigen::Matrix2d::Identity();
-  return white - nuisance_ * normal.ldlt().solve(nuisance_.transpose() * white);
+  Eigen::Matrix2d const normal = absorbed.transpose() * absorbed + Eigen::Matrix2d::Identity();
+  return white - absorbed * normal.ldlt().solve(absorbed.transpose() * white);
 }
 
-Eigen::VectorXd Detector::signature(std::vector<HiddenEffect> const& hidden) const {
+VectorXd Detector::moved_by(std::vector<HiddenEffect> const& hidden) const {
   Effects effects;
   for (auto const& [effect, size] : hidden)
     effects = effects.with(effect, size);
-  return projected(values(observed(case_, case_.powder, effects, {})) - base_);
+  return values(observed(case_, case_.powder, effects, {})) - base_;
 }
 
 double Detector::lambda(std::vector<HiddenEffect> const& hidden) const {
-  return signature(hidden).norm();
+  return projected(moved_by(hidden), modulus_).norm();
+}
+
+double Detector::nearest(VectorXd const& own, Effect effect) const {
+  // Some per cent of force bend every signature: a parabola of third order or more through sizes.
+  auto const& kind = kind_of(effect);
+  std::vector<double> sizes = {0.0, 1.5, 3.0};
+  if (kind.is_one_sided)
+    sizes.push_back(0.75);
+  else
+    for (double const share : {0.5, 1.0})
+      sizes.push_back(share * std::max(-3.0, least_size(effect) / kind.prior));
+  std::vector<VectorXd> moved;
+  for (double const size : sizes)
+    moved.push_back(size == 0.0 ? VectorXd::Zero(base_.size())
+                                : moved_by({{effect, size * kind.prior}}));
+  auto const distance = [&](double at) {
+    VectorXd rival = VectorXd::Zero(base_.size());
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      double weight = 1.0;
+      for (std::size_t j = 0; j < sizes.size(); ++j)
+        weight *= j == i ? 1.0 : (at - sizes[j]) / (sizes[i] - sizes[j]);
+      rival += weight * moved[i];
+    }
+    // A modulus acts on the forces that are there.
+    VectorXd const scale =
+        (base_.array().abs() > 30.0).select((base_ + rival).array() / base_.array(), 1.0);
+    return projected(own - rival, modulus_.cwiseProduct(scale)).norm();
+  };
+  double least = distance(0.0);
+  double const lowest = *std::ranges::min_element(sizes);
+  for (auto const& [from, to] : {std::pair{lowest, 0.0}, {0.0, 3.0}})
+    if (from < to)
+      least = std::min(least, boost::math::tools::brent_find_minima(distance, from, to, 12).second);
+  return least;
 }
 
 std::vector<Detector::Rival> Detector::rivals(HiddenEffect const& hidden) const {
-  Eigen::VectorXd const own = signature({hidden});
+  VectorXd const own = moved_by({hidden});
   std::vector<Rival> all;
-  for (int k = 0; k < n_known_effects; ++k) {
-    auto const effect = static_cast<Effect>(k);
-    if (effect == hidden.effect)
-      continue;
-    // A third of the prior: where it is small the signature is a line.
-    Eigen::VectorXd const other = 3.0 * signature({{effect, kind_of(effect).prior / 3.0}});
-    double const share = own.dot(other) / std::max(other.squaredNorm(), 1e-300);
-    double const least = kind_of(effect).is_one_sided ? 0.0 : -3.0;
-    all.push_back({effect, (own - std::clamp(share, least, 3.0) * other).norm()});
-  }
+  for (int k = 0; k < n_known_effects; ++k)
+    if (auto const effect = static_cast<Effect>(k); effect != hidden.effect)
+      all.push_back({effect, nearest(own, effect)});
   std::ranges::sort(all, {}, &Rival::separation);
   return all;
 }
