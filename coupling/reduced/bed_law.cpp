@@ -46,6 +46,12 @@ double radial_share(BedLaw const& law, double g) {
                                       : law.radial_unloading.at(g);
 }
 
+/// Of a loose fill's size.
+double loose_share(OnsetFill const& fill, double s0) {
+  double const x = s0 / fill.decay;
+  return fill.tail > 0.0 ? std::pow(1.0 + fill.tail * x, -1.0 / fill.tail) : std::exp(-x);
+}
+
 /// Radial pressure of first loading.
 double radial_closing(BedLaw const& law, double solid_fraction) {
   double const x = solid_fraction - law.onset_at(solid_fraction);
@@ -84,6 +90,12 @@ void validate_numbers(BedLaw const& law) {
     refuse("reversal", law.reversal, "must be positive. Is it in metres?");
   if (!(law.onset_fill.decay > 0.0))
     refuse("onset_fill.decay", law.onset_fill.decay, "must be positive. Is it in Pa?");
+  if (!(law.onset_fill.tail >= 0.0))
+    refuse("onset_fill.tail", law.onset_fill.tail, "must not be negative. Is its sign turned?");
+  if (!(law.onset_fines.fade <= 1.0))
+    refuse("onset_fines.fade", law.onset_fines.fade, "must be at most 1. No more than all fades?");
+  if (!(law.onset_fines.scale > 0.0))
+    refuse("onset_fines.scale", law.onset_fines.scale, "must be positive. Is it in Pa?");
   if (!(law.onset_crush.scale > 0.0))
     refuse("onset_crush.scale", law.onset_crush.scale, "must be positive. Is it in Pa?");
   if (!(law.onset_crush.modulus > 0.0))
@@ -100,11 +112,13 @@ void validate_numbers(BedLaw const& law) {
 } // namespace
 
 double BedLaw::onset_at(double solid_fraction) const {
-  if (onset_fill.size == 0.0 && onset_crush.size == 0.0)
+  if (onset_fill.size == 0.0 && onset_fines.size == 0.0 && onset_crush.size == 0.0)
     return onset;
   double const s0 = stress_beyond(*this, solid_fraction - onset);
   double const crushed = -std::expm1(-std::pow(s0 / onset_crush.scale, onset_crush.modulus));
-  return onset - onset_fill.size * std::exp(-s0 / onset_fill.decay) + onset_crush.size * crushed;
+  double const faded = onset_fines.fade * s0 / (s0 + onset_fines.scale);
+  return onset - onset_fill.size * loose_share(onset_fill, s0) - onset_fines.size * (1.0 - faded) +
+         onset_crush.size * crushed;
 }
 
 double BedLaw::loading(double solid_fraction) const {

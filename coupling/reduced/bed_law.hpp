@@ -4,10 +4,20 @@
 
 namespace coupling::reduced {
 
-/// A fill that is not settled: the onset lies lower by size exp(-s0 / decay).
+/// A fill that is not settled: the onset lies lower by size (1 + tail s0 / decay)^(-1 / tail); tail
+/// 0: size exp(-s0 / decay), 1: size / (1 + s0 / decay).
 struct OnsetFill {
   double size = 0.0;  ///< [1]
   double decay = 2e6; ///< [Pa], > 0
+  double tail = 0.0;  ///< [1], >= 0
+};
+
+/// Fines that are missing between the grains: the onset lies lower by size (1 - fade s0 / (s0 +
+/// scale)), since pressing closes a part of the gaps.
+struct OnsetFines {
+  double size = 0.0;   ///< [1]
+  double fade = 0.0;   ///< [1], <= 1
+  double scale = 40e6; ///< [Pa], > 0
 };
 
 /// Grains that break and fill gaps: the onset lies higher by size (1 - exp(-(s0 / scale)^modulus)).
@@ -41,8 +51,8 @@ struct Yielding {
 /// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
 /// wall_turn(h - h_m), x that of phi_m; it never carries more than the bed bears, |W| <= 2 A s:
 ///   F_upper = A s + W / 2,  F_lower = A s - W / 2.
-/// The onset shifts with how far loading has gone, phi_c - fill + crush, both of s0, the stress at
-/// the same phi without them. An empty table stands for what is written beside it.
+/// The onset shifts with how far loading has gone, phi_c - fill - fines + crush, all of s0, the
+/// stress at the same phi without them. An empty table stands for what is written beside it.
 struct BedLaw {
   double stiffness = 0.0;     ///< K [Pa], grows with Young's modulus
   double cohesion = 0.0;      ///< S [Pa], grows with the cohesion energy density
@@ -55,6 +65,7 @@ struct BedLaw {
   double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
 
   OnsetFill onset_fill = {};
+  OnsetFines onset_fines = {};
   OnsetCrush onset_crush = {};
   Stiffening stiffening = {};
   Yielding yielding = {};

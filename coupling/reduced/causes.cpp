@@ -40,8 +40,10 @@ void frame_compliance(Press& press, double a, VectorXd const& shapes) {
   frame.seating += shapes[0] * a * seating_force;
   frame.seating_force = seating_force;
 }
-void gap_offset(Press& press, double a, VectorXd const&) {
+/// A travel gauge that is wrong at zero is a little wrong in its pitch, too.
+void gap_offset(Press& press, double a, VectorXd const& shapes) {
   press.machine.frame.gap_offset += a;
+  press.machine.gap_pitch = shapes[0] / (10 * mm);
 }
 void force_gain(Press& press, double a, VectorXd const&) {
   press.machine.load_cell.gain *= 1.0 + a;
@@ -101,12 +103,12 @@ void rate_dependence(Press& press, double a, VectorXd const& shapes) {
   press.pressed.rate.gain += a;
   press.pressed.rate.memory = shapes[0];
 }
-void missing_fines(Press& press, double a, VectorXd const&) {
-  press.pressed.law.onset -= a;
+void missing_fines(Press& press, double a, VectorXd const& shapes) {
+  press.pressed.law.onset_fines = {.size = a, .fade = shapes[0]};
 }
 void fill_state(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
-  law.onset_fill = {.size = a, .decay = shapes[0] * MPa};
+  law.onset_fill = {.size = a, .decay = shapes[0] * MPa, .tail = shapes[1]};
 }
 void die_compliance(Press& press, double a, VectorXd const&) {
   press.pressed.die_yield += a;
@@ -125,7 +127,8 @@ std::vector<Cause> const& known_causes() {
   static std::vector<Cause> const all = {
       cause("frame_compliance", "m/N", 20 * um / kN, positive, machine, frame_compliance,
             {{"seating_share", "1", 0.15, 0.15, 0.0, 1.0}}),
-      cause("gap_offset", "m", 0.1 * mm, both, machine, gap_offset),
+      cause("gap_offset", "m", 0.1 * mm, both, machine, gap_offset,
+            {{"pitch", "1", 0.0, 0.1, -0.5, 0.5}}),
       cause("force_gain", "1", 0.04, both, machine, force_gain),
       cause("force_offset", "N", 100.0, both, machine, force_offset),
       cause("force_lag", "s", 1.5, positive, machine, force_lag,
@@ -147,9 +150,10 @@ std::vector<Cause> const& known_causes() {
              {"weibull_modulus", "1", 2.0, 1.0, 0.7, 8.0}}),
       cause("rate_dependence", "1", 0.02, positive, machine, rate_dependence,
             {{"memory", "1", 4e-3, 3e-3, 2e-4, 5e-2}}),
-      cause("missing_fines", "1", 0.008, both, grains, missing_fines),
+      cause("missing_fines", "1", 0.008, both, grains, missing_fines,
+            {{"fading", "1", 0.2, 0.2, -0.5, 1.0}}),
       cause("fill_state", "1", 0.008, both, grains, fill_state,
-            {{"filling_stress", "MPa", 2.0, 1.0, 0.3, 10.0}}),
+            {{"filling_stress", "MPa", 2.0, 1.0, 0.3, 10.0}, {"tail", "1", 0.5, 0.5, 0.0, 2.0}}),
       cause("die_compliance", "m/Pa", 0.5 * um / MPa, positive, machine, die_compliance),
       cause("multi_contact", "1", 0.3, positive, grains, multi_contact,
             {{"power", "1", 3.0, 1.0, 1.0, 8.0}})};

@@ -90,6 +90,10 @@ double drift_travel(Machine const& machine, double t) {
   return w > 0.0 ? e * -std::expm1(-w * t) / w : e * t;
 }
 
+double offset_at(Machine const& machine, double opened) {
+  return machine.frame.gap_offset * (1.0 + machine.gap_pitch * opened);
+}
+
 /// A cell of two stages: the second lags behind the first.
 class TwoStageCell {
 public:
@@ -133,11 +137,13 @@ std::vector<ChainReading> press_cycle(PressedBed const& pressed, Machine const& 
   Tempo const tempo(course);
   FrameLaw const frame = machine.gap_is_of_faces ? FrameLaw{} : machine.frame;
   double const start = std::min(course.time.front(), samples.front());
-  double last = start, smallest = course.at(start) + machine.frame.gap_offset;
+  double const turn = turning_of(course).gap;
+  double last = start, smallest = course.at(start) + offset_at(machine, course.at(start) - turn);
   std::size_t next = 0;
   for (double const t : moments(course, samples)) {
     double const told = course.at(t);
-    double const at_rest = told + machine.frame.gap_offset + drift_travel(machine, t - start);
+    double const at_rest =
+        told + offset_at(machine, told - turn) + drift_travel(machine, t - start);
     VALIDATE(at_rest > 0.0, fmt::format("gap course: the faces meet at {} s. Is the gap offset "
                                         "({} m) right?",
                                         t, machine.frame.gap_offset));

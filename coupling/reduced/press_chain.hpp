@@ -12,6 +12,8 @@ namespace coupling::reduced {
 /// The machine between command and paper.
 struct Machine {
   FrameLaw frame = {};
+  /// [1/m], how much the gap's offset z grows as the gap does: z (1 + pitch (h_cmd - h_turn)).
+  double gap_pitch = 0.0;
   /// [1/s], how fast the thermal drift e dies out: its travel is e (1 - exp(-w t)) / w; 0: e t.
   double drift_decay = 0.0;
   LoadCellErrors load_cell = {};
@@ -31,7 +33,7 @@ struct ChainReading {
 
 /// The whole way from a command to what a laboratory writes down: machine, bed, load cell. At each
 /// moment the height is where bed and frame agree,
-///   h = h_cmd(t) + z_0 + e (1 - exp(-w t)) / w + D(F_upper(h)),
+///   h = h_cmd(t) + z (1 + pitch (h_cmd - h_turn)) + e (1 - exp(-w t)) / w + D(F_upper(h)),
 /// to rounding; without D where the gap is measured at the faces. Frame and load cell are those of
 /// the grains' simulator.
 /// @param samples  [s], increasing; corners of the course need not be among them

@@ -146,6 +146,13 @@ TEST(BedLaw, OnsetShiftsWithTheStress) {
   EXPECT_NEAR(with.onset_at(0.8), 0.6 - 0.01 * std::exp(-s_02 / 20e6), 1e-12);
   EXPECT_NEAR(with.onset_at(0.5), 0.59, 1e-12);
   EXPECT_NEAR(with.loading(0.8), law.loading(0.8 + 0.01 * std::exp(-s_02 / 20e6)), 1.0);
+  with.onset_fill.tail = 0.5;
+  double const loose = 0.01 * std::pow(1.0 + 0.5 * s_02 / 20e6, -2.0);
+  EXPECT_NEAR(with.onset_at(0.8), 0.6 - loose, 1e-12);
+  with = law;
+  with.onset_fines = {0.01, 0.3, 40e6};
+  EXPECT_NEAR(with.onset_at(0.8), 0.6 - 0.01 * (1.0 - 0.3 * s_02 / (s_02 + 40e6)), 1e-12);
+  EXPECT_EQ(with.onset_at(0.5), 0.59);
   with = law;
   with.onset_crush = {0.02, 30e6, 2.0};
   double const crushed = 0.02 * (1.0 - std::exp(-std::pow(s_02 / 30e6, 2.0)));

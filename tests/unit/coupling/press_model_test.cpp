@@ -185,8 +185,10 @@ TEST(PressModel, CausesDoWhatTheyAreCalled) {
   EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.wall_friction, 0.235);
   EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.recovery, 0.73);
   EXPECT_EQ(after("wall_friction", -0.5).pressed.law.wall_friction, 0.0);
-  EXPECT_DOUBLE_EQ(after("missing_fines", 0.01).pressed.law.onset, 0.62);
+  EXPECT_EQ(after("missing_fines", 0.01).pressed.law.onset_fines.size, 0.01);
+  EXPECT_EQ(after("missing_fines", 0.01).pressed.law.onset_fines.fade, 0.2);
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.size, 0.01);
+  EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.tail, 0.5);
   EXPECT_EQ(after("breakage", 0.01).pressed.law.onset_crush.size, 0.01);
   EXPECT_EQ(after("die_compliance", 1e-13).pressed.die_yield, 1e-13);
   EXPECT_EQ(after("rate_dependence", 0.02).pressed.rate.gain, 0.02);

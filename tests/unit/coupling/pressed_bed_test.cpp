@@ -92,6 +92,13 @@ TEST(PressMachine, ThermalDriftDiesOut) {
     EXPECT_NEAR(r.height - r.commanded_gap, 1e-5 * (1.0 - std::exp(-0.1 * r.time)) / 0.1, 1e-15);
 }
 
+TEST(PressMachine, AnOffsetHasItsPitchFromTheTurnOn) {
+  GapCourse const course = press_course(20e-3, 8e-3, 1e-3, 1e-3);
+  Machine const machine{.frame = {.gap_offset = 1e-4}, .gap_pitch = 20.0};
+  for (auto const& r : press_cycle(pressed(), machine, course, {1.0, 6.0, 12.0}))
+    EXPECT_NEAR(r.height - r.commanded_gap, 1e-4 * (1.0 + 20.0 * (r.commanded_gap - 8e-3)), 1e-15);
+}
+
 TEST(PressMachine, AGapAtTheFacesKnowsNoFrame) {
   GapCourse const course = press_course(20e-3, 8e-3, 1e-3, 1e-3);
   Machine machine{.frame = {.stiffness = 30e6}};
