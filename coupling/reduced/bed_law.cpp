@@ -5,11 +5,17 @@
 
 #include <fmt/format.h>
 
+#include <boost/math/tools/toms748_solve.hpp>
+
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <tuple>
 
 namespace coupling::reduced {
 namespace {
+
+constexpr double turn_exponent = 0.3;
 
 double or_one(Table const& factor, double x) {
   return factor.empty() ? 1.0 : factor.at(x);
@@ -27,11 +33,55 @@ double stress_beyond(BedLaw const& law, double x) {
   return stress - law.yielding.size * excess * excess / (excess + law.yielding.stress);
 }
 
+/// Of a loose fill's size.
+double loose_share(OnsetFill const& fill, double s0) {
+  double const x = s0 / fill.decay;
+  return fill.tail > 0.0 ? std::pow(1.0 + fill.tail * x, -1.0 / fill.tail) : std::exp(-x);
+}
+
+/// Where the onset lies at a stress.
+double shifted_onset(BedLaw const& law, double s0) {
+  auto const& [size, scale, modulus] = law.onset_crush;
+  double const crushed = -std::expm1(-std::pow(s0 / scale, modulus));
+  double const faded = law.onset_fines.fade * s0 / (s0 + law.onset_fines.scale);
+  return law.onset - law.onset_fill.size * loose_share(law.onset_fill, s0) -
+         law.onset_fines.size * (1.0 - faded) + size * crushed;
+}
+
+struct Loaded {
+  double onset, stress;
+};
+
+/// First loading where the onset and the stress that shifts it agree; both to rounding.
+Loaded first_loading(BedLaw const& law, double solid_fraction) {
+  auto const& [fill, fines, crush] = std::tie(law.onset_fill, law.onset_fines, law.onset_crush);
+  if (fill.size == 0.0 && fines.size == 0.0 && crush.size == 0.0)
+    return {law.onset, stress_beyond(law, solid_fraction - law.onset)};
+  auto const at = [&](double s0) {
+    return stress_beyond(law, solid_fraction - shifted_onset(law, s0));
+  };
+  auto const excess = [&](double s0) { return s0 - at(s0); };
+  // No onset lies lower than with all that can lower it.
+  double const lowest = law.onset - std::max(fill.size, 0.0) - std::max(fines.size, 0.0) -
+                        std::max(-crush.size, 0.0) - std::max(fines.size * -fines.fade, 0.0);
+  double const most = stress_beyond(law, solid_fraction - lowest);
+  double const least = excess(0.0), largest = excess(most);
+  if (least >= 0.0)
+    return {shifted_onset(law, 0.0), 0.0};
+  if (largest <= 0.0)
+    return {shifted_onset(law, most), most};
+  std::uintmax_t n_steps = 60;
+  auto const [low, high] = boost::math::tools::toms748_solve(
+      excess, 0.0, most, least, largest, boost::math::tools::eps_tolerance<double>(50), n_steps);
+  double const stress = 0.5 * (low + high);
+  return {shifted_onset(law, stress), stress};
+}
+
 /// How far an opening has gone: 1 at the turn, 0 where the way to the onset is gone back.
-double way_left(BedLaw const& law, double solid_fraction, double most) {
+double way_left(BedLaw const& law, double solid_fraction, double most, double onset) {
   if (solid_fraction >= most)
     return 1.0;
-  double const way = law.recovery * std::log(most / law.onset_at(most));
+  double const way = law.recovery * std::log(most / onset);
   return way > 0.0 ? 1.0 - std::log(most / solid_fraction) / way : 0.0; // before the onset: at once
 }
 
@@ -46,22 +96,12 @@ double radial_share(BedLaw const& law, double g) {
                                       : law.radial_unloading.at(g);
 }
 
-/// Of a loose fill's size.
-double loose_share(OnsetFill const& fill, double s0) {
-  double const x = s0 / fill.decay;
-  return fill.tail > 0.0 ? std::pow(1.0 + fill.tail * x, -1.0 / fill.tail) : std::exp(-x);
-}
-
-/// Radial pressure of first loading.
-double radial_closing(BedLaw const& law, double solid_fraction) {
-  double const x = solid_fraction - law.onset_at(solid_fraction);
-  return law.radial_ratio * or_one(law.radial_loading, x) * law.loading(solid_fraction);
-}
-
 /// Share of the friction that the wall can give, against the upper punch.
-double turned(BedLaw const& law, double opened) {
+double turned(BedLaw const& law, double opened, double largest_radial) {
   if (opened <= 0.0)
     return 1.0;
+  if (law.turn_pressure > 0.0 && largest_radial > 0.0)
+    opened *= std::pow(law.turn_pressure / largest_radial, turn_exponent);
   return law.wall_turn.empty() ? -1.0 + 2.0 * std::exp(-opened / law.reversal)
                                : law.wall_turn.at(opened);
 }
@@ -88,6 +128,8 @@ void validate_numbers(BedLaw const& law) {
     refuse("radial_ratio", law.radial_ratio, "must not be negative. Is its sign turned?");
   if (!(law.reversal > 0.0))
     refuse("reversal", law.reversal, "must be positive. Is it in metres?");
+  if (!(law.turn_pressure >= 0.0))
+    refuse("turn_pressure", law.turn_pressure, "must not be negative. Is its sign turned?");
   if (!(law.onset_fill.decay > 0.0))
     refuse("onset_fill.decay", law.onset_fill.decay, "must be positive. Is it in Pa?");
   if (!(law.onset_fill.tail >= 0.0))
@@ -112,21 +154,22 @@ void validate_numbers(BedLaw const& law) {
 } // namespace
 
 double BedLaw::onset_at(double solid_fraction) const {
-  if (onset_fill.size == 0.0 && onset_fines.size == 0.0 && onset_crush.size == 0.0)
-    return onset;
-  double const s0 = stress_beyond(*this, solid_fraction - onset);
-  double const crushed = -std::expm1(-std::pow(s0 / onset_crush.scale, onset_crush.modulus));
-  double const faded = onset_fines.fade * s0 / (s0 + onset_fines.scale);
-  return onset - onset_fill.size * loose_share(onset_fill, s0) - onset_fines.size * (1.0 - faded) +
-         onset_crush.size * crushed;
+  return first_loading(*this, solid_fraction).onset;
 }
 
 double BedLaw::loading(double solid_fraction) const {
-  return stress_beyond(*this, solid_fraction - onset_at(solid_fraction));
+  return first_loading(*this, solid_fraction).stress;
 }
 
 double BedLaw::unloading_stress(double solid_fraction, double most) const {
-  return loading(most) * stress_share(*this, way_left(*this, solid_fraction, most));
+  auto const turn = first_loading(*this, most);
+  return turn.stress * stress_share(*this, way_left(*this, solid_fraction, most, turn.onset));
+}
+
+void stretch_turn(BedLaw& law, double factor) {
+  law.reversal *= factor;
+  for (double& knot : law.wall_turn.knots)
+    knot *= factor;
 }
 
 void validate(BedLaw const& law) {
@@ -150,14 +193,16 @@ void validate(BedLaw const& law) {
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height) {
   double const phi = bed.solid_area / height;
   double const most = bed.solid_area / std::min(height, smallest_height);
-  double const beyond = most - law.onset_at(most);
-  double const g = way_left(law, phi, most);
-  double const stress = law.loading(most) * stress_share(law, g);
-  double const radial = radial_closing(law, most) * radial_share(law, g);
+  auto const turn = first_loading(law, most);
+  double const beyond = most - turn.onset;
+  double const g = way_left(law, phi, most, turn.onset);
+  double const stress = turn.stress * stress_share(law, g);
+  double const closed = law.radial_ratio * or_one(law.radial_loading, beyond) * turn.stress;
+  double const radial = closed * radial_share(law, g);
   double const area = 0.25 * dem::pi * bed.bore * bed.bore;
   double const mu = law.wall_friction * or_one(law.wall_loading, beyond);
   double const wall =
-      turned(law, height - smallest_height) * mu * radial * dem::pi * bed.bore * height;
+      turned(law, height - smallest_height, closed) * mu * radial * dem::pi * bed.bore * height;
   double const carried = std::clamp(0.5 * wall, -area * stress, area * stress);
   return {.upper = area * stress + carried,
           .lower = area * stress - carried,

@@ -49,10 +49,12 @@ struct Yielding {
 ///   first loading  p = k radial_loading(x) s
 ///   unloading      p = p_m radial_unloading(g)
 /// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
-/// wall_turn(h - h_m), x that of phi_m; it never carries more than the bed bears, |W| <= 2 A s:
+/// wall_turn((h - h_m) (p_t / p_m)^0.3), x that of phi_m; it never carries more than the bed bears,
+/// |W| <= 2 A s:
 ///   F_upper = A s + W / 2,  F_lower = A s - W / 2.
-/// The onset shifts with how far loading has gone, phi_c - fill - fines + crush, all of s0, the
-/// stress at the same phi without them. An empty table stands for what is written beside it.
+/// The onset shifts with how far loading has gone, phi_c - fill - fines + crush, all of the stress
+/// s0 that the bed bears there in first loading. An empty table stands for what is written beside
+/// it.
 struct BedLaw {
   double stiffness = 0.0;     ///< K [Pa], grows with Young's modulus
   double cohesion = 0.0;      ///< S [Pa], grows with the cohesion energy density
@@ -63,6 +65,11 @@ struct BedLaw {
   double radial_ratio = 0.5;  ///< k [1]
   double opening = 2.5;       ///< p [1], exponent of unloading; 1 with a fitted table
   double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
+
+  /// p_t [Pa], radial pressure of the turn that `reversal` and `wall_turn` are of; 0: of any.
+  /// Grains of the quick case that turn at 8, 8.5 and 9 mm turn round over lengths as p^0.2 to
+  /// p^0.3.
+  double turn_pressure = 0.0;
 
   OnsetFill onset_fill = {};
   OnsetFines onset_fines = {};
@@ -84,6 +91,9 @@ struct BedLaw {
   /// phi_c as it is when first loading has come to phi.
   double onset_at(double solid_fraction) const;
 };
+
+/// The wall's friction turns round over `factor` times the length.
+void stretch_turn(BedLaw& law, double factor);
 
 /// Refuses numbers that make no bed. @throws dem::InvalidInput
 void validate(BedLaw const& law);

@@ -151,7 +151,7 @@ std::vector<Cause> const& known_causes() {
       cause("rate_dependence", "1", 0.02, positive, machine, rate_dependence,
             {{"memory", "1", 4e-3, 3e-3, 2e-4, 5e-2}}),
       cause("missing_fines", "1", 0.008, both, grains, missing_fines,
-            {{"fading", "1", 0.2, 0.2, -0.5, 1.0}}),
+            {{"fading", "1", 0.3, 0.2, -0.5, 1.0}}),
       cause("fill_state", "1", 0.008, both, grains, fill_state,
             {{"filling_stress", "MPa", 2.0, 1.0, 0.3, 10.0}, {"tail", "1", 0.5, 0.5, 0.0, 2.0}}),
       cause("die_compliance", "m/Pa", 0.5 * um / MPa, positive, machine, die_compliance),

@@ -96,7 +96,7 @@ MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
                               BedUncertainty const& uncertainty) {
   auto const nominal = model.press_at(nominal_parameters(model));
   auto const at_nominal = predict_plan(nominal, model.plan());
-  MatrixXd changes(at_nominal.size(), 4);
+  MatrixXd changes(at_nominal.size(), 5);
   Index column = 0;
   auto const vary = [&](auto change) {
     Press press = nominal;
@@ -107,6 +107,7 @@ MatrixXd numerical_covariance(PressModel const& model, BedFit const& fit,
   vary([&](BedLaw& law) { law.recovery *= 1.0 - uncertainty.recovery; });
   vary([&](BedLaw& law) { law.wall_friction *= 1.0 + uncertainty.wall_friction; });
   vary([&](BedLaw& law) { law.radial_ratio *= 1.0 + uncertainty.radial_ratio; });
+  vary([&](BedLaw& law) { stretch_turn(law, 1.0 + uncertainty.turn_length); });
   MatrixXd covariance = changes * changes.transpose();
   if (uncertainty.packing.stress > 0.0) {
     auto const packing = packing_covariance(nominal, model.plan(), uncertainty.packing);

@@ -16,6 +16,9 @@ struct BedUncertainty {
   double recovery = 0.004;     ///< [1], relative
   double wall_friction = 0.02; ///< [1], relative
   double radial_ratio = 0.01;  ///< [1], relative
+  /// Length over which the wall's friction turns round, relative: packings scatter by 3 %, but
+  /// contacts' stiffness along the wall is no number of any sheet.
+  double turn_length = 0.1;
   PackingScatter packing = {}; ///< of the bed's grains, simulated as well as pressed
   std::size_t n_packings = 1;  ///< that the simulated bed is the mean of
 };

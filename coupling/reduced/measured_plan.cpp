@@ -38,6 +38,29 @@ void append_parts(std::vector<Part>& parts, Phase phase, Places const& places, s
   }
 }
 
+/// As many parts of an opening, half by number and half by the fall of the force: at a pressing's
+/// end a few readings see most of it.
+void append_opening(std::vector<Part>& parts, Places const& places, std::span<double const> force,
+                    std::size_t most) {
+  std::vector<double> fallen; // so far, noise left out
+  double least = places.empty() ? 0.0 : force[places.front()];
+  for (std::size_t const k : places)
+    fallen.push_back(least = std::isfinite(force[k]) ? std::min(least, force[k]) : least);
+  double const fall = places.empty() ? 0.0 : fallen.front() - fallen.back();
+  if (!(fall > 0.0))
+    return append_parts(parts, Phase::unloading, places, most);
+  std::size_t last = most;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    double const gone = 0.5 * static_cast<double>(i) / static_cast<double>(places.size()) +
+                        0.5 * (fallen.front() - fallen[i]) / fall;
+    auto const place =
+        std::min(static_cast<std::size_t>(gone * static_cast<double>(most)), most - 1);
+    if (place != last)
+      parts.push_back({.phase = Phase::unloading, .places = {}}), last = place;
+    parts.back().places.push_back(places[i]);
+  }
+}
+
 /// Readings of the upper force in which the bed bears, first and last by the median of five.
 std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, double share) {
   double const least = share * *std::ranges::max_element(
@@ -82,7 +105,7 @@ std::vector<Part> parts_of(Run const& run, GapCourse const& course, Binning cons
   append_parts(parts, Phase::loading, before, before.size() < 5 ? 0 : 1);
   append_parts(parts, Phase::loading, closing, binning.n_loading);
   append_parts(parts, Phase::dwell, held, binning.n_dwell);
-  append_parts(parts, Phase::unloading, opening, binning.n_unloading);
+  append_opening(parts, opening, run.channel("upper_punch_force"), binning.n_unloading);
   append_parts(parts, Phase::unloading, after, after.size() < 5 ? 0 : 1);
   parts.back().is_free = after.size() >= 5;
   return parts;

@@ -57,7 +57,8 @@ double BedLaw::solid_fraction(double stress, double largest, double most) const 
   if (stress >= largest || largest <= 0.0)
     return loaded(std::max(stress, 0.0));
   double const yielded = effects_[Effect::plastic_contacts] * largest / (largest + 20 * MPa);
-  double const way = recovery_ * (1.0 - yielded) * std::log(most / onset_);
+  // Grains give back what they were pressed beyond the onset that they have then.
+  double const way = recovery_ * (1.0 - yielded) * std::log(most / onset(largest));
   double const bend = curvature_ * (1.0 - 0.4 * effects_[Effect::plastic_contacts]);
   double const share = std::log1p(std::expm1(bend) * std::max(stress, 0.0) / largest) / bend;
   return most * std::exp(-way * (1.0 - share));

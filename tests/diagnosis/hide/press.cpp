@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace hidden {
@@ -43,15 +44,18 @@ public:
   ColumnForces tried(double height) const {
     ColumnForces sum;
     for (std::size_t k = 0; k < strips_.size(); ++k)
-      add(columns_[k].tried(own_height(k, height), bore_at(effects_, height)), k, sum);
+      add(columns_[k].tried(own_height(k, height), bore(height)), k, sum);
     return sum;
   }
   ColumnForces press(double height) {
+    lowest_ = std::min(lowest_, height);
     ColumnForces sum;
     for (std::size_t k = 0; k < strips_.size(); ++k)
-      add(columns_[k].press(own_height(k, height), bore_at(effects_, height)), k, sum);
+      add(columns_[k].press(own_height(k, height), bore(height)), k, sum);
     return sum;
   }
+  /// The bed knows the wear where it was pressed, wherever the punch goes then.
+  double bore(double height) const { return bore_at(effects_, std::min(lowest_, height)); }
   Column const& middle() const { return columns_[columns_.size() / 2]; }
 
 private:
@@ -68,6 +72,7 @@ private:
   Effects effects_;
   std::vector<Strip> strips_;
   std::vector<Column> columns_;
+  double lowest_ = std::numeric_limits<double>::infinity(); ///< height so far
 };
 
 /// Times at which the cycle is solved: fine where the force is, finest where friction turns round.
@@ -140,7 +145,7 @@ Cycle press_cycle(Powder const& powder, Effects const& effects, Protocol const& 
                              .lower = factor * forces.lower,
                              .radial = 0.5 * factor * (forces.radial_top + forces.radial_bottom)});
   }
-  double const bore = bore_at(effects, cycle.moments.back().height);
+  double const bore = bed.bore(cycle.moments.back().height);
   cycle.compact_height = bed.middle().free_height(bore);
   cycle.ejection_force = bed.middle().ejection_force(bore);
   show_upper_force(effects, protocol, cycle.moments);

@@ -57,8 +57,9 @@ bool has_effect(JudgedCase const& c) {
 bool is_single(JudgedCase const& c) {
   return c.truth.kind == "single";
 }
+/// Of two effects, both of which show: an effect whose largest size is fainter is no pair's.
 bool is_double(JudgedCase const& c) {
-  return c.truth.kind == "double";
+  return c.truth.kind == "double" && c.truth.faintest.value_or(25.0) >= 20.0;
 }
 /// The generator is asked for a lambda and comes within some per cent of it.
 bool near_eight(JudgedCase const& c) {

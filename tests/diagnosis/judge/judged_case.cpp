@@ -79,12 +79,15 @@ Truth read_truth(std::filesystem::path const& file) {
   Truth truth{.kind = found.at("class"),
               .causes = {},
               .lambda = optional_number(found, "lambda"),
+              .faintest = {},
               .separation = optional_number(found, "separation")};
   auto const set = found.at("observables").get<std::string>();
   truth.has_all_gauges = set != "A" && set != "F";
   for (auto const& effect : found.at("effects")) {
     truth.causes.insert(effect.at("name").get<std::string>());
     truth.size = effect.at("size");
+    if (auto const lambda = optional_number(effect, "lambda"))
+      truth.faintest = std::min(*lambda, truth.faintest.value_or(*lambda));
   }
   return truth;
 }

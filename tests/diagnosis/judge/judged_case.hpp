@@ -14,6 +14,7 @@ struct Truth {
   std::set<std::string> causes;
   double size = 0.0;                ///< of a single effect [SI]
   std::optional<double> lambda;     ///< predicted detectability
+  std::optional<double> faintest;   ///< least lambda of its effects, each alone
   std::optional<double> separation; ///< Delta to the nearest single rival
 };
 

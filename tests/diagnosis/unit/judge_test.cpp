@@ -114,6 +114,26 @@ protected:
   inline static std::unique_ptr<support::ScratchFolder> shared_;
 };
 
+TEST(Bars, CountPairsOfWhichBothShow) {
+  auto const pairs = [](double faintest) {
+    judging::JudgedCase const pair{.name = "pair",
+                                   .truth = {.kind = "double",
+                                             .has_all_gauges = true,
+                                             .causes = {"a", "b"},
+                                             .size = 1.0,
+                                             .lambda = 30.0,
+                                             .faintest = faintest,
+                                             .separation = {}},
+                                   .answer = {}};
+    int n = 0;
+    for (auto const& bar : judging::hold_bars(std::span(&pair, 1)))
+      n += bar.name == "B9" ? bar.cases : 0;
+    return n;
+  };
+  EXPECT_EQ(pairs(7.0), 0);
+  EXPECT_EQ(pairs(25.0), 3); // a bar each
+}
+
 TEST_F(SmallSet, PassesAGoodDiagnoser) {
   EXPECT_TRUE(passes("good"));
 }

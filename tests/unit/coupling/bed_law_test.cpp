@@ -139,26 +139,33 @@ TEST(BedLaw, FreeCompactIsWhereNoStressIsLeft) {
   EXPECT_EQ(free_compact(law, bed, 12e-3).height, 12e-3); // never pressed
 }
 
-/// Each shift by its formula; s0 is the stress without it.
+/// Each shift by its formula; s0 is the stress that the bed bears there.
 TEST(BedLaw, OnsetShiftsWithTheStress) {
+  auto const holds = [](BedLaw const& with, double phi, auto const& shift) {
+    double const s = with.loading(phi);
+    EXPECT_NEAR(with.onset_at(phi), 0.6 + shift(s), 1e-12) << phi;
+    EXPECT_NEAR(s, law.loading(phi - shift(s)), 1e-6 * s) << phi;
+  };
   BedLaw with = law;
+  for (double const phi : {0.62, 0.7, 0.8}) {
+    with.onset_fill = {0.01, 20e6};
+    holds(with, phi, [](double s) { return -0.01 * std::exp(-s / 20e6); });
+    with.onset_fill.tail = 0.5;
+    holds(with, phi, [](double s) { return -0.01 * std::pow(1.0 + 0.5 * s / 20e6, -2.0); });
+    with = law;
+    with.onset_fines = {0.01, 0.3, 40e6};
+    holds(with, phi, [](double s) { return -0.01 * (1.0 - 0.3 * s / (s + 40e6)); });
+    with = law;
+    with.onset_crush = {0.02, 30e6, 2.0};
+    holds(with, phi, [](double s) { return 0.02 * -std::expm1(-std::pow(s / 30e6, 2.0)); });
+    with = law;
+  }
   with.onset_fill = {0.01, 20e6};
-  EXPECT_NEAR(with.onset_at(0.8), 0.6 - 0.01 * std::exp(-s_02 / 20e6), 1e-12);
-  EXPECT_NEAR(with.onset_at(0.5), 0.59, 1e-12);
-  EXPECT_NEAR(with.loading(0.8), law.loading(0.8 + 0.01 * std::exp(-s_02 / 20e6)), 1.0);
-  with.onset_fill.tail = 0.5;
-  double const loose = 0.01 * std::pow(1.0 + 0.5 * s_02 / 20e6, -2.0);
-  EXPECT_NEAR(with.onset_at(0.8), 0.6 - loose, 1e-12);
-  with = law;
-  with.onset_fines = {0.01, 0.3, 40e6};
-  EXPECT_NEAR(with.onset_at(0.8), 0.6 - 0.01 * (1.0 - 0.3 * s_02 / (s_02 + 40e6)), 1e-12);
-  EXPECT_EQ(with.onset_at(0.5), 0.59);
-  with = law;
-  with.onset_crush = {0.02, 30e6, 2.0};
-  double const crushed = 0.02 * (1.0 - std::exp(-std::pow(s_02 / 30e6, 2.0)));
-  EXPECT_NEAR(with.onset_at(0.8), 0.6 + crushed, 1e-12);
-  EXPECT_NEAR(with.loading(0.8), law.loading(0.8 - crushed), 1.0);
-  EXPECT_EQ(with.onset_at(0.5), 0.6);
+  EXPECT_NEAR(with.onset_at(0.5), 0.59, 1e-12); // nothing bears
+  with.onset_fines.size = 0.02;
+  EXPECT_NEAR(with.onset_at(0.5), 0.57, 1e-12);
+  with.onset_fill.size = 0.0, with.onset_fines.size = -0.02; // too many fines
+  holds(with, 0.8, [](double) { return 0.02; });
 }
 
 TEST(BedLaw, StiffensAndYields) {

@@ -186,7 +186,7 @@ TEST(PressModel, CausesDoWhatTheyAreCalled) {
   EXPECT_DOUBLE_EQ(after("wall_friction", 0.05).pressed.law.recovery, 0.73);
   EXPECT_EQ(after("wall_friction", -0.5).pressed.law.wall_friction, 0.0);
   EXPECT_EQ(after("missing_fines", 0.01).pressed.law.onset_fines.size, 0.01);
-  EXPECT_EQ(after("missing_fines", 0.01).pressed.law.onset_fines.fade, 0.2);
+  EXPECT_EQ(after("missing_fines", 0.01).pressed.law.onset_fines.fade, 0.3);
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.size, 0.01);
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.tail, 0.5);
   EXPECT_EQ(after("breakage", 0.01).pressed.law.onset_crush.size, 0.01);
