@@ -102,6 +102,8 @@ double turned(BedLaw const& law, double opened, double largest_radial) {
     return 1.0;
   if (law.turn_pressure > 0.0 && largest_radial > 0.0)
     opened *= std::pow(law.turn_pressure / largest_radial, turn_exponent);
+  if (law.turn_friction > 0.0 && law.wall_friction > 0.0)
+    opened *= law.turn_friction / law.wall_friction;
   return law.wall_turn.empty() ? -1.0 + 2.0 * std::exp(-opened / law.reversal)
                                : law.wall_turn.at(opened);
 }
@@ -130,6 +132,8 @@ void validate_numbers(BedLaw const& law) {
     refuse("reversal", law.reversal, "must be positive. Is it in metres?");
   if (!(law.turn_pressure >= 0.0))
     refuse("turn_pressure", law.turn_pressure, "must not be negative. Is its sign turned?");
+  if (!(law.turn_friction >= 0.0))
+    refuse("turn_friction", law.turn_friction, "must not be negative. Is its sign turned?");
   if (!(law.onset_fill.decay > 0.0))
     refuse("onset_fill.decay", law.onset_fill.decay, "must be positive. Is it in Pa?");
   if (!(law.onset_fill.tail >= 0.0))

@@ -49,8 +49,8 @@ struct Yielding {
 ///   first loading  p = k radial_loading(x) s
 ///   unloading      p = p_m radial_unloading(g)
 /// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
-/// wall_turn((h - h_m) (p_t / p_m)^0.3), x that of phi_m; it never carries more than the bed bears,
-/// |W| <= 2 A s:
+/// wall_turn((h - h_m) (p_t / p_m)^0.3 mu_t / mu), x that of phi_m; it never carries more than the
+/// bed bears, |W| <= 2 A s:
 ///   F_upper = A s + W / 2,  F_lower = A s - W / 2.
 /// The onset shifts with how far loading has gone, phi_c - fill - fines + crush, all of the stress
 /// s0 that the bed bears there in first loading. An empty table stands for what is written beside
@@ -66,10 +66,9 @@ struct BedLaw {
   double opening = 2.5;       ///< p [1], exponent of unloading; 1 with a fitted table
   double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
 
-  /// p_t [Pa], radial pressure of the turn that `reversal` and `wall_turn` are of; 0: of any.
-  /// Grains of the quick case that turn at 8, 8.5 and 9 mm turn round over lengths as p^0.2 to
-  /// p^0.3.
-  double turn_pressure = 0.0;
+  /// p_t [Pa] and mu_t [1] of the turn that `reversal` and `wall_turn` are of; 0: of any. Measured
+  /// on beds of grains (README).
+  double turn_pressure = 0.0, turn_friction = 0.0;
 
   OnsetFill onset_fill = {};
   OnsetFines onset_fines = {};

@@ -100,6 +100,7 @@ void fill_turn(BedLaw& law, CycleRows const& rows, CycleRows const& turn) {
     missed.add(opened[k], heavy[k] * (turned[k] - form.at(opened[k])), heavy[k]);
   auto const rest = missed.table(most_groups, 0.0);
   law.reversal = form.length, law.turn_pressure = turn.radial[0];
+  law.turn_friction = law.wall_friction;
   law.wall_turn = {};
   for (int k = 0; k <= n_knots; ++k) { // crowded at 0
     double const z =
@@ -129,6 +130,7 @@ bool fit_unloading(BedFit& fit, CycleRows const& rows, CycleRows const& turn,
     law.wall_turn = options.shape->wall_turn, law.opening = options.shape->opening;
     law.recovery = options.shape->recovery, law.reversal = options.shape->reversal;
     law.turn_pressure = options.shape->turn_pressure;
+    law.turn_friction = options.shape->turn_friction;
   }
   // A known shape need not meet the largest stress exactly; its own table does.
   double const top = options.shape ? turn.stress[0] : law.loading(turn.phi[0]);

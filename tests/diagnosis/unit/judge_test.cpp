@@ -127,7 +127,7 @@ TEST(Bars, CountPairsOfWhichBothShow) {
                                    .answer = {}};
     int n = 0;
     for (auto const& bar : judging::hold_bars(std::span(&pair, 1)))
-      n += bar.name == "B9" ? bar.cases : 0;
+      n += bar.bar == "B9" ? bar.cases : 0;
     return n;
   };
   EXPECT_EQ(pairs(7.0), 0);

@@ -95,6 +95,26 @@ TEST(BedLaw, WallCarriesItsPartAndTurnsRound) {
               1e-6 * wall);
 }
 
+/// Half round where the length says, that of another pressure, friction or stretch.
+TEST(BedLaw, TurnsRoundOverALengthThatGrows) {
+  auto const is_half_round = [](BedLaw const& with, double factor) {
+    BedForces const half = forces(with, 2e-5 * std::log(2.0) * factor);
+    EXPECT_NEAR(half.upper, half.lower, 1e-9 * half.upper) << factor;
+  };
+  BedLaw with = law;
+  with.turn_pressure = 2.0 * 0.45 * law.loading(0.875); // of a turn at twice this pressure
+  is_half_round(with, std::pow(0.5, 0.3));
+  with = law;
+  with.turn_friction = 0.1; // half of what this wall has
+  is_half_round(with, 2.0);
+  with = law;
+  stretch_turn(with, 1.1);
+  is_half_round(with, 1.1);
+  with.wall_turn = {{0.0, 1e-5, 1e-3}, {1.0, 0.5, -1.0}};
+  stretch_turn(with, 2.0);
+  EXPECT_EQ(with.wall_turn.knots, (std::vector<double>{0.0, 2e-5, 2e-3}));
+}
+
 TEST(BedLaw, HangsOnTheWallRatherThanPull) {
   BedLaw sticky = law;
   sticky.wall_friction = 2.0;
