@@ -60,6 +60,15 @@ Fit const& best_fit(Selection const& selection) {
   return selection.hypotheses.front().fit;
 }
 
+/// A cause that is gone where the error of its own form counts, and is back where it does not, is
+/// none: the smaller set stays.
+bool only_adds(Selected const& next, Selected const& before) {
+  auto wider = best_fit(next.selection).active, narrow = best_fit(before.selection).active;
+  std::ranges::sort(wider);
+  std::ranges::sort(narrow);
+  return wider.size() > narrow.size() && std::ranges::includes(wider, narrow);
+}
+
 std::vector<CauseEstimate> estimate(Selected const& selected, double largest_printed) {
   std::vector<CauseEstimate> all;
   auto const& fit = best_fit(selected.selection);
@@ -91,8 +100,11 @@ Diagnosis diagnose(Observations const& observations, Model const& model,
     selected = select_under(std::move(selected.weighed), tests, settings.selection);
     for (int k = 0; k < settings.n_iterations; ++k) {
       auto const& best = best_fit(selected.selection);
-      selected = select_under(weigh_at(observations, model, sources, best.at, best.active), tests,
-                              settings.selection);
+      auto next = select_under(weigh_at(observations, model, sources, best.at, best.active), tests,
+                               settings.selection);
+      if (k > 0 && only_adds(next, selected))
+        break;
+      selected = std::move(next);
     }
   }
   auto verdict = decide({.model = model,

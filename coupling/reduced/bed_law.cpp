@@ -15,7 +15,7 @@
 namespace coupling::reduced {
 namespace {
 
-constexpr double turn_exponent = 0.3;
+constexpr double turn_exponent = 0.25;
 
 double or_one(Table const& factor, double x) {
   return factor.empty() ? 1.0 : factor.at(x);

@@ -49,7 +49,7 @@ struct Yielding {
 ///   first loading  p = k radial_loading(x) s
 ///   unloading      p = p_m radial_unloading(g)
 /// The wall carries W = t mu wall_loading(x) p pi D h, t = 1 while the bed closes, then
-/// wall_turn((h - h_m) (p_t / p_m)^0.3 mu_t / mu), x that of phi_m; it never carries more than the
+/// wall_turn((h - h_m) (p_t / p_m)^0.25 mu_t / mu), x that of phi_m; it never carries more than the
 /// bed bears, |W| <= 2 A s:
 ///   F_upper = A s + W / 2,  F_lower = A s - W / 2.
 /// The onset shifts with how far loading has gone, phi_c - fill - fines + crush, all of the stress

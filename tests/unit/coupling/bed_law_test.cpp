@@ -103,7 +103,7 @@ TEST(BedLaw, TurnsRoundOverALengthThatGrows) {
   };
   BedLaw with = law;
   with.turn_pressure = 2.0 * 0.45 * law.loading(0.875); // of a turn at twice this pressure
-  is_half_round(with, std::pow(0.5, 0.3));
+  is_half_round(with, std::pow(0.5, 0.25));
   with = law;
   with.turn_friction = 0.1; // half of what this wall has
   is_half_round(with, 2.0);
