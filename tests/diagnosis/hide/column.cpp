@@ -51,7 +51,9 @@ Slice Column::next(Slice const& old, double depth, double force, double top, dou
     slice.centre = top - 0.5 * slice.height;
     double const limit = law_.friction(depth, radial) * std::max(radial, 0.0);
     double const down = is_touched_ ? old.centre - slice.centre : 0.0;
-    slice.shear = std::clamp(old.shear + wall_stiffness_ * down, -limit, limit);
+    // Pressed harder the layer is stiffer: the way that turns friction round grows as p^0.25 only.
+    double const stiff = wall_stiffness_ * std::pow(std::max(radial, 0.0) / (30 * MPa), 0.75);
+    slice.shear = std::clamp(old.shear + stiff * down, -limit, limit);
     slice.below = slice.above - slice.shear * pi * bore * slice.height;
   }
   if (slice.stress > old.largest) {

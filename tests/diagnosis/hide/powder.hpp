@@ -17,7 +17,7 @@ struct Powder {
   double recovery = 0.859;       ///< [1], share of the way back to the onset, as strain
   double curvature = 3.05;       ///< b [1] of the unloading
   double residual = 0.03;        ///< [1], radial pressure that stays, of the largest
-  double wall_stiffness = 4e11;  ///< [Pa/m], shear of the wall layer before it slides
+  double wall_stiffness = 4e11;  ///< [Pa/m] at 30 MPa, shear of the wall layer, ~ p^0.75
   static constexpr double density = 1.0 / (0.8 / 3500.0 + 0.2 / 3000.0); ///< of the solid [kg/m^3]
 };
 

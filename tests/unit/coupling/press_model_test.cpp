@@ -114,6 +114,19 @@ TEST(MeasuredRows, AreSurerThanTheirReadings) {
   EXPECT_THROW(measured_rows(laboratory(press()), measured::Role::held_out), dem::InvalidInput);
 }
 
+/// An opening is over in a few readings: no row takes more than an eighth of the fall, so that two
+/// of them lie at most a quarter apart.
+TEST(MeasuredRows, FollowAForceThatFallsFast) {
+  auto const rows = measured_rows(laboratory(press()), measured::Role::fit);
+  auto const& opening = *std::ranges::find_if(rows.blocks, [](auto const& block) {
+    return block.channel == "upper_punch_force" && block.phase == diagnosis::Phase::unloading;
+  });
+  auto const n = opening.values.size() - 1; // the last one is free of the compact
+  ASSERT_GT(n, 10);
+  double const fall = opening.values[0] - opening.values[n];
+  EXPECT_LT((opening.values.head(n) - opening.values.tail(n)).maxCoeff(), 0.25 * fall);
+}
+
 TEST(PressModel, CalibratesStiffnessAndCohesion) {
   auto const rows = measured_rows(laboratory(press()), measured::Role::fit);
   PressModel const model(press(), sheet, {}, rows.plan);
