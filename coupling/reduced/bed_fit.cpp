@@ -57,6 +57,12 @@ BedFit fit_bed_law(SimulatedCycle const& cycle, Bed const& bed, BedFitOptions co
   fit.loading_form = fit_loading(fit.law, rows_of(cycle, bed, parts.loading), options);
   bool const opens = fit_unloading(fit, rows_of(cycle, bed, parts.unloading),
                                    rows_of(cycle, bed, {parts.turn}), options);
+  double const turn = cycle.height[parts.turn];
+  if (opens && options.shape)
+    fit.law.free_way = options.shape->free_way;
+  else if (opens)
+    fit.law.free_way =
+        std::max(way_left_at(fit.law, bed, free_compact(fit.law, bed, turn).height, turn), 0.0);
   validate(fit.law);
   static_cast<BedDepartures&>(fit) = departures(fit.law, cycle, bed);
   if (opens)

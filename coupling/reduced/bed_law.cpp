@@ -130,6 +130,8 @@ void validate_numbers(BedLaw const& law) {
     refuse("radial_ratio", law.radial_ratio, "must not be negative. Is its sign turned?");
   if (!(law.reversal > 0.0))
     refuse("reversal", law.reversal, "must be positive. Is it in metres?");
+  if (!(law.free_way >= 0.0 && law.free_way < 1.0))
+    refuse("free_way", law.free_way, "is no share of a way (0 to 1). Is it in percent?");
   if (!(law.turn_pressure >= 0.0))
     refuse("turn_pressure", law.turn_pressure, "must not be negative. Is its sign turned?");
   if (!(law.turn_friction >= 0.0))
@@ -215,17 +217,28 @@ BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double sm
 
 FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height) {
   double const most = bed.solid_area / smallest_height;
-  if (most <= law.onset_at(most))
+  double const onset = law.onset_at(most);
+  if (most <= onset)
     return {.height = smallest_height, .radial_pressure = 0.0};
+  double const whole = law.recovery * std::log(most / onset);
+  auto const at = [&](double height) {
+    return FreeCompact{height, bed_forces(law, bed, height, smallest_height).radial_pressure};
+  };
+  if (law.free_way > 0.0)
+    return at(smallest_height * std::exp((1.0 - law.free_way) * whole));
   double const least = free_share * bed_forces(law, bed, smallest_height, smallest_height).upper;
   double low = smallest_height;
-  double high = low * std::exp(law.recovery * std::log(most / law.onset_at(most)));
+  double high = low * std::exp(whole);
   while (high - low > 1e-10 * high) {
     double const middle = 0.5 * (low + high);
     (bed_forces(law, bed, middle, smallest_height).upper > least ? low : high) = middle;
   }
-  return {.height = high,
-          .radial_pressure = bed_forces(law, bed, high, smallest_height).radial_pressure};
+  return at(high);
+}
+
+double way_left_at(BedLaw const& law, Bed const& bed, double height, double smallest_height) {
+  double const most = bed.solid_area / smallest_height;
+  return way_left(law, bed.solid_area / height, most, law.onset_at(most));
 }
 
 } // namespace coupling::reduced

@@ -66,6 +66,9 @@ struct BedLaw {
   double opening = 2.5;       ///< p [1], exponent of unloading; 1 with a fitted table
   double reversal = 1e-4;     ///< d [m], while `wall_turn` is empty
 
+  /// g at which the upper punch leaves the compact [1], of the cycle that filled the tables; 0:
+  /// where its force has fallen to free_share.
+  double free_way = 0.0;
   /// p_t [Pa] and mu_t [1] of the turn that `reversal` and `wall_turn` are of; 0: of any. Measured
   /// on beds of grains (README).
   double turn_pressure = 0.0, turn_friction = 0.0;
@@ -112,14 +115,18 @@ struct BedForces {
 /// Forces at the height h when the smallest height so far is h_m <= h.
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height);
 
-/// The compact in its die when the upper punch leaves it: where its force has fallen to free_share
-/// of what it was at h_m. (How the last of it fades is no measurement. What the wall still holds
-/// may press on the lower punch.)
+/// The compact in its die when the upper punch leaves it: at the law's free_way, or where its force
+/// has fallen to free_share of what it was at h_m. (How the last of it fades is no measurement, and
+/// what hangs on the wall is no elasticity: in a fitted law neither friction nor depth moves the g
+/// of that moment. What the wall still holds may press on the lower punch.)
 inline constexpr double free_share = 5e-4;
 struct FreeCompact {
   double height;          ///< [m]
   double radial_pressure; ///< that remains there [Pa]
 };
 FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height);
+
+/// The g at which a height is reached from a turn at smallest_height [1].
+double way_left_at(BedLaw const& law, Bed const& bed, double height, double smallest_height);
 
 } // namespace coupling::reduced

@@ -1,52 +1,15 @@
 #include "tests/diagnosis/judge/bars.hpp"
 
-#include "tests/diagnosis/judge/binomial.hpp"
+#include "tests/diagnosis/judge/gain_bars.hpp"
+#include "tests/diagnosis/judge/rates.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
-#include <functional>
 #include <map>
 
 namespace judging {
 namespace {
-
-using Test = std::function<bool(JudgedCase const&)>;
-
-/// Cases of which a bar speaks, and how often something holds among them.
-class Rates {
-public:
-  explicit Rates(std::span<JudgedCase const> cases) : cases_(cases) {}
-
-  void at_most(char const* bar, char const* what, double target, Test const& of, Test const& is) {
-    add(bar, what, target, of, is, true);
-  }
-  void at_least(char const* bar, char const* what, double target, Test const& of, Test const& is) {
-    add(bar, what, target, of, is, false);
-  }
-  std::vector<BarResult> results;
-
-private:
-  void add(char const* bar, char const* what, double target, Test const& of, Test const& is,
-           bool is_upper) {
-    int n = 0, count = 0;
-    for (auto const& one : cases_)
-      if (of(one)) {
-        ++n;
-        count += is(one) ? 1 : 0;
-      }
-    int const limit = is_upper ? most_allowed(n, target) : least_allowed(n, target);
-    results.push_back({.bar = bar,
-                       .quantity = what,
-                       .target = target,
-                       .cases = n,
-                       .count = count,
-                       .limit = limit,
-                       .is_upper = is_upper,
-                       .holds = n == 0 || (is_upper ? count <= limit : count >= limit)});
-  }
-  std::span<JudgedCase const> cases_;
-};
 
 bool is_clean(JudgedCase const& c) {
   return c.truth.kind == "clean";
@@ -202,6 +165,8 @@ std::vector<BarResult> hold_bars(std::span<JudgedCase const> cases) {
   unlisted_and_placebo(hold);
   confidence(hold, cases);
   sizes(hold);
+  hold_clean_levels(hold);
+  hold_gains(hold);
   return hold.results;
 }
 

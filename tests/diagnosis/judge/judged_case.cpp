@@ -41,6 +41,30 @@ void read_named(json const& causes, Answer& answer) {
   }
 }
 
+/// "all" of a gain's channels; nothing without.
+std::optional<json> all_channels(json const& gain) {
+  for (auto const& channel : gain.value("channels", json::array()))
+    if (channel.at("channel") == "all")
+      return channel;
+  return std::nullopt;
+}
+
+std::optional<Gain> read_gain(json const& gain) {
+  auto const all = all_channels(gain);
+  if (!all)
+    return std::nullopt;
+  Gain read{.before = all->at("before"),
+            .after = all->at("after"),
+            .of_placebo = {},
+            .elpd = gain.at("elpd_difference"),
+            .elpd_error = gain.at("elpd_error"),
+            .coverage = all->at("coverage")};
+  if (gain.contains("placebo") && gain.at("placebo").is_object())
+    if (auto const placebo = all_channels(gain.at("placebo")))
+      read.of_placebo = placebo->at("after");
+  return read;
+}
+
 } // namespace
 
 bool JudgedCase::has_truth() const {
@@ -63,6 +87,12 @@ Answer read_answer(std::filesystem::path const& file) {
   Answer answer;
   answer.verdict = found.at("verdict");
   answer.is_incomplete = found.value("incomplete", false);
+  if (found.contains("alarm")) {
+    answer.p_omnibus = optional_number(found.at("alarm"), "p_omnibus");
+    answer.p_targeted = optional_number(found.at("alarm"), "p_targeted");
+  }
+  if (found.contains("gain") && found.at("gain").is_object())
+    answer.gain = read_gain(found.at("gain"));
   if (answer.verdict == "named")
     read_named(found.at("causes"), answer);
   else if (answer.verdict == "undecided")

@@ -22,12 +22,22 @@ struct SizeInterval {
   double value, low, high;
 };
 
+/// On held-out runs, all channels together.
+struct Gain {
+  double before, after;             ///< root mean square error [standard uncertainties]
+  std::optional<double> of_placebo; ///< what the best wrong cause leaves
+  double elpd, elpd_error;          ///< difference of the log scores, and its standard error
+  double coverage;                  ///< share of the rows inside their 95 % band
+};
+
 struct Answer {
   std::string verdict; ///< consistent, named, undecided, unknown
   bool is_incomplete = false;
-  std::set<std::string> claim;      ///< the named causes, or the group
-  double probability = 0.0;         ///< of the named set: the least of its members'
-  std::optional<SizeInterval> size; ///< of the first named cause
+  std::set<std::string> claim;                 ///< the named causes, or the group
+  double probability = 0.0;                    ///< of the named set: the least of its members'
+  std::optional<SizeInterval> size;            ///< of the first named cause
+  std::optional<double> p_omnibus, p_targeted; ///< of the alarm's two tests
+  std::optional<Gain> gain;
 };
 
 struct JudgedCase {

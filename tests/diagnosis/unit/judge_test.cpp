@@ -134,6 +134,74 @@ TEST(Bars, CountPairsOfWhichBothShow) {
   EXPECT_EQ(pairs(25.0), 3); // a bar each
 }
 
+/// Of one kind of bar: how many of 40 such cases it counts, and whether all of its lines hold.
+std::pair<int, bool> counted(char const* bar, judging::JudgedCase const& one) {
+  std::vector<judging::JudgedCase> const cases(40, one);
+  std::pair<int, bool> found{0, true};
+  for (auto const& result : judging::hold_bars(cases))
+    if (result.bar == bar)
+      found = {std::max(found.first, result.cases), found.second && result.holds};
+  return found;
+}
+
+TEST(Bars, HoldGainsOnHeldOutRuns) {
+  judging::JudgedCase const good{.name = "good",
+                                 .truth = {.kind = "single",
+                                           .has_all_gauges = true,
+                                           .causes = {"a"},
+                                           .size = 1.0,
+                                           .lambda = 16.0,
+                                           .faintest = {},
+                                           .separation = 9.0},
+                                 .answer = {.verdict = "named",
+                                            .is_incomplete = false,
+                                            .claim = {"a"},
+                                            .probability = 0.97,
+                                            .size = {},
+                                            .p_omnibus = {},
+                                            .p_targeted = {},
+                                            .gain = judging::Gain{.before = 4.0,
+                                                                  .after = 1.2,
+                                                                  .of_placebo = 2.0,
+                                                                  .elpd = 50.0,
+                                                                  .elpd_error = 5.0,
+                                                                  .coverage = 0.95}}};
+  for (auto const* const bar : {"B13", "B14"})
+    EXPECT_EQ(counted(bar, good), std::pair(40, true)) << bar;
+  auto const spoilt = [&](auto change) {
+    auto one = good;
+    change(*one.answer.gain);
+    return one;
+  };
+  using judging::Gain;
+  EXPECT_FALSE(counted("B13", spoilt([](Gain& g) { g.elpd_error = 20.0; })).second);
+  EXPECT_FALSE(counted("B13", spoilt([](Gain& g) { g.after = 1.6; })).second);
+  EXPECT_FALSE(counted("B13", spoilt([](Gain& g) { g.coverage = 0.8; })).second);
+  EXPECT_FALSE(counted("B14", spoilt([](Gain& g) { g.after = 1.9, g.before = 3.5; })).second);
+  EXPECT_FALSE(counted("B14", spoilt([](Gain& g) { g.of_placebo = 1.1; })).second);
+  // At the floor either is as good as the other.
+  EXPECT_TRUE(counted("B14", spoilt([](Gain& g) { g.after = 0.9, g.of_placebo = 0.8; })).second);
+  auto wrong = good;
+  wrong.answer.claim = {"b"};
+  EXPECT_EQ(counted("B13", wrong).first, 0); // B4's matter
+}
+
+TEST(Bars, HoldCleanDataToTheirLevels) {
+  judging::JudgedCase clean;
+  clean.truth.kind = "clean";
+  clean.answer.verdict = "consistent";
+  EXPECT_EQ(counted("B2", clean).first, 0); // says nothing of its levels
+  clean.answer.p_omnibus = 0.9, clean.answer.p_targeted = 0.6;
+  EXPECT_EQ(counted("B2", clean), std::pair(40, true));
+  clean.answer.p_targeted = 0.4;
+  EXPECT_FALSE(counted("B2", clean).second);
+  clean.answer.p_targeted = 0.6, clean.answer.p_omnibus = 0.05;
+  EXPECT_FALSE(counted("B2", clean).second);
+  EXPECT_TRUE(counted("B15", clean).second);
+  clean.answer.gain = judging::Gain{};
+  EXPECT_FALSE(counted("B15", clean).second);
+}
+
 TEST_F(SmallSet, PassesAGoodDiagnoser) {
   EXPECT_TRUE(passes("good"));
 }

@@ -159,6 +159,16 @@ TEST(BedLaw, FreeCompactIsWhereNoStressIsLeft) {
   EXPECT_EQ(free_compact(law, bed, 12e-3).height, 12e-3); // never pressed
 }
 
+TEST(BedLaw, FreeCompactOfAFitKeepsItsWay) {
+  BedLaw with = law;
+  with.free_way = 0.1;
+  auto const free = free_compact(with, bed, h_m);
+  EXPECT_NEAR(free.height, h_m * std::pow(0.875 / 0.6, 0.9 * 0.7), 1e-12);
+  EXPECT_NEAR(way_left_at(with, bed, free.height, h_m), 0.1, 1e-12);
+  with.wall_friction = 0.02; // hangs less
+  EXPECT_EQ(free_compact(with, bed, h_m).height, free.height);
+}
+
 /// Each shift by its formula; s0 is the stress that the bed bears there.
 TEST(BedLaw, OnsetShiftsWithTheStress) {
   auto const holds = [](BedLaw const& with, double phi, auto const& shift) {
