@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -56,10 +58,17 @@ public:
   Search(Comparison const& comparison, SignatureLibrary const& library)
       : comparison_(comparison), library_(library) {}
 
+  /// Of two fits of a set the one that lies deeper.
   void keep(Fit fit) {
-    seen_.insert(causes_of(fit));
+    auto const [place, is_new] = places_.emplace(causes_of(fit), found_.size());
+    if (!is_new && found_[place->second].fit.objective() <= fit.objective())
+      return;
     double const evidence = log_evidence(comparison_, fit);
-    found_.push_back({std::move(fit), evidence, 0.0, 0.0});
+    Hypothesis one{std::move(fit), evidence, 0.0, 0.0};
+    if (is_new)
+      found_.push_back(std::move(one));
+    else
+      found_[place->second] = std::move(one);
   }
 
   void extend(Fit const& base, int count) {
@@ -67,8 +76,20 @@ public:
     for (int const j : best_by(scores_after(comparison_, base, library_), own, count)) {
       Causes wider = own;
       wider.insert(j);
-      if (!seen_.contains(wider))
+      if (!places_.contains(wider))
         keep(refit_with(comparison_, base, library_, j));
+    }
+  }
+
+  /// The subsets of a fit with one cause less, once more from where it ended: a partner may have
+  /// led out of a valley in which a smaller set was caught.
+  void narrow(Fit const& wide) {
+    Unknowns const before(*comparison_.model, wide.active, SizePriors::physical);
+    for (int const j : wide.active) {
+      std::vector<int> active;
+      std::ranges::remove_copy(wide.active, std::back_inserter(active), j);
+      Unknowns const after(*comparison_.model, active, SizePriors::physical);
+      keep(fit_hypothesis(comparison_, active, after.out_of(before, wide.unknowns)));
     }
   }
 
@@ -94,7 +115,7 @@ public:
 private:
   Comparison const& comparison_;
   SignatureLibrary const& library_;
-  std::set<Causes> seen_;
+  std::map<Causes, std::size_t> places_; ///< in found_
   std::vector<Hypothesis> found_;
 };
 
@@ -169,6 +190,8 @@ Selection select_causes(Comparison const& comparison, Fit const& baseline,
                 baseline.chi_squared > settings.huge_share * expected ? m : settings.n_screened);
   for (auto const& base : search.best(1, settings.n_bases))
     search.extend(base, settings.n_partners);
+  for (auto const& pair : search.best(2, settings.n_bases))
+    search.narrow(pair);
   if (search.least_chi_squared() > failing)
     for (auto const& base : search.best(2, 1))
       search.extend(base, settings.n_partners);

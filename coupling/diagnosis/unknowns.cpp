@@ -71,6 +71,17 @@ Index Unknowns::place_of_size(int mechanism) const {
       fmt::format("hypothesis: mechanism {} is not active. Is another meant?", mechanism + 1));
 }
 
+VectorXd Unknowns::out_of(Unknowns const& wider, VectorXd const& u) const {
+  VectorXd own(size());
+  own.head(n_calibrated_) = u.head(n_calibrated_);
+  for (int const j : active_) {
+    auto const n =
+        1 + static_cast<Index>(model_->mechanisms()[static_cast<std::size_t>(j)].shapes.size());
+    own.segment(place_of_size(j), n) = u.segment(wider.place_of_size(j), n);
+  }
+  return own;
+}
+
 Parameters Unknowns::parameters(VectorXd const& u) const {
   Parameters at = nominal_parameters(*model_);
   for (Index p = 0; p < n_calibrated_; ++p)

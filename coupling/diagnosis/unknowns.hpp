@@ -21,6 +21,9 @@ public:
   Eigen::Index n_calibrated() const { return n_calibrated_; }
   Eigen::Index place_of_size(int mechanism) const; ///< its index in u
 
+  /// Its own unknowns among those of a hypothesis that has more causes.
+  Eigen::VectorXd out_of(Unknowns const& wider, Eigen::VectorXd const& u) const;
+
   Parameters parameters(Eigen::VectorXd const& u) const;
   Eigen::VectorXd const& low() const { return low_; }
   Eigen::VectorXd const& high() const { return high_; }

@@ -196,6 +196,29 @@ void name_causes(Findings const& findings, Fit const& fit, VerdictRules const& r
   }
 }
 
+/// Whether some cause fits in a form only that it hardly has: another one may have it.
+bool has_odd_shape(Findings const& findings, Fit const& fit, VerdictRules const& rules,
+                   Verdict& verdict) {
+  Unknowns const unknowns(findings.model, fit.active, SizePriors::physical);
+  bool is_odd = false;
+  for (int const j : verdict.causes) {
+    auto const& shapes = findings.model.mechanisms()[static_cast<std::size_t>(j)].shapes;
+    for (std::size_t k = 0; k < shapes.size(); ++k) {
+      auto const place = static_cast<Index>(k);
+      double const u = fit.unknowns[unknowns.place_of_size(j) + 1 + place];
+      if (std::abs(u) <= rules.shape_sds)
+        continue;
+      is_odd = true;
+      verdict.statements.push_back(fmt::format(
+          "{} fits with a {} of {:.3g} {} only, {:.1f} standard deviations from what is known of "
+          "it: another cause may have this form",
+          name(findings, j), shapes[k].name, fit.at.shapes[static_cast<std::size_t>(j)][place],
+          shapes[k].unit, std::abs(u)));
+    }
+  }
+  return is_odd;
+}
+
 void decide_on_alarm(Findings const& findings, VerdictRules const& rules, Verdict& verdict) {
   auto const& tests = findings.tests;
   auto const& fit = best_cause(findings.selection).fit;
@@ -215,7 +238,8 @@ void decide_on_alarm(Findings const& findings, VerdictRules const& rules, Verdic
   name_causes(findings, fit, rules, verdict);
   if (verdict.group.empty() && !verdict.causes.empty()) {
     verdict.kind = VerdictKind::named;
-    verdict.is_incomplete = has_failed || verdict.causes.size() < fit.active.size();
+    verdict.is_incomplete = has_odd_shape(findings, fit, rules, verdict) || has_failed ||
+                            verdict.causes.size() < fit.active.size();
     return;
   }
   verdict.kind = VerdictKind::undecided;

@@ -26,6 +26,7 @@ struct VerdictRules {
   double failing_sds = 4.0;    ///< chi^2 above its expectation from which a hypothesis has failed
   double explained = 0.9;      ///< share of the misfit above which a failed hypothesis still names
   double prior_sds = 3.0;      ///< a calibrated parameter that far from its sheet is a finding
+  double shape_sds = 3.0;      ///< a shape that far from what is known makes its name incomplete
   double gate_errors = 2.0;    ///< standard errors by which a name must win on held-out runs
   double largest_printed = 0.97; ///< probabilities are printed at most so large until calibrated
 };
@@ -39,7 +40,7 @@ struct ParameterFinding {
 
 struct Verdict {
   VerdictKind kind = VerdictKind::consistent;
-  bool is_incomplete = false; ///< named, but structure remains
+  bool is_incomplete = false; ///< named, but structure remains, or in a form that it hardly has
   std::vector<int> causes;    ///< of `named`
   std::vector<int> group;     ///< of `undecided`, the most probable first
   std::vector<ParameterFinding> parameters;

@@ -10,20 +10,18 @@ namespace {
 using diagnosis::Hypothesis;
 using diagnosis::VerdictKind;
 
-reduced::PressModel model_of(CaseQuestion const& question, reduced::PressPlan const& plan) {
-  reduced::RepeatScatter scatter;
+reduced::PressModel model_of(CaseQuestion const& question, reduced::MeasuredRows const& rows) {
+  auto scatter = repeat_scatter(question.simulated, rows.channels);
   scatter.mass = question.data.sample.mass.sd / question.data.sample.mass.value;
-  if (question.simulated.n_grains > 0)
-    scatter.onset = 0.0; // packings scatter as the grains do (error_sources)
   return {in_laboratory(question.simulated, question.data.sample), question.simulated.sheet,
-          scatter, plan};
+          scatter, rows.plan};
 }
 
 } // namespace
 
 CaseDiagnosis::CaseDiagnosis(CaseQuestion const& question)
     : question_(question), rows_(reduced::measured_rows(question.data, measured::Role::fit)),
-      model_(model_of(question, rows_.plan)), observations_(rows_.blocks),
+      model_(model_of(question, rows_)), observations_(rows_.blocks),
       sources_(error_sources(model_, rows_.channels, question.simulated.fit,
                              uncertainty_of(question.simulated))),
       found_(diagnose(observations_, model_, sources_, question.settings)),

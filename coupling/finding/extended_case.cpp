@@ -128,7 +128,8 @@ ExtendedCase extended_case(Case const& setup, Finding const& finding, BedFacts c
       fmt::format("Extended by presscheck {} from {} and the measured data of {}.",
                   PRESSCHECK_VERSION, finding.provenance.case_file, finding.provenance.data_folder),
       "Verdict: " + finding.verdict +
-          (finding.is_incomplete ? ", but something is left that it does not explain." : ".")};
+          (finding.is_incomplete ? ", but as it is known the cause does not explain all of it."
+                                 : ".")};
   if (finding.verdict == "undecided")
     head.emplace_back("No cause is modelled: these data cannot tell which one it is.");
   if (finding.verdict == "unknown")

@@ -131,8 +131,10 @@ Unknown unknown_of(diagnosis::Unexplained const& from) {
   return unknown;
 }
 
-/// Assumptions of the error model, then the instruments as the laboratory states them.
-std::vector<StatedError> tolerances_of(diagnosis::ErrorSources const& errors) {
+/// Assumptions of the error model, what scatters between pressings, then the instruments as the
+/// laboratory states them.
+std::vector<StatedError> tolerances_of(FindingSources const& sources) {
+  auto const& errors = sources.errors;
   std::vector<StatedError> all;
   for (auto const& one : diagnosis::state(errors.tolerances))
     all.push_back({.name = one.name,
@@ -140,6 +142,9 @@ std::vector<StatedError> tolerances_of(diagnosis::ErrorSources const& errors) {
                    .unit = "1",
                    .meaning = one.meaning,
                    .source = one.source});
+  for (auto const& one : sources.model.scatters())
+    all.push_back({"scatter/" + one.name, one.sd, one.unit,
+                   "sd between pressings that are meant to be the same", "coupling/reduced"});
   std::string const sheet = "measured.json, channels";
   for (auto const& one : errors.channels) {
     auto const add = [&](char const* what, double value, std::string unit, char const* meaning) {
@@ -183,7 +188,7 @@ Finding finding_of(Diagnosis const& found, FindingSources const& sources) {
     finding.gain = gain_of(*sources.gain);
   if (sources.placebo)
     finding.placebo = gain_of(*sources.placebo);
-  finding.tolerances = tolerances_of(sources.errors);
+  finding.tolerances = tolerances_of(sources);
   if (sources.unexplained)
     finding.unknown = unknown_of(*sources.unexplained);
   finding.decisions = sources.decisions;

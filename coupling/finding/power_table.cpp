@@ -10,10 +10,8 @@ namespace {
 PowerColumn column_of(PowerQuestion const& question, reduced::InstrumentSet const& set,
                       PowerTable& table) {
   auto const rows = planned_rows(question.nominal, set, question.instruments, question.fill_height);
-  reduced::RepeatScatter scatter;
-  if (question.simulated.n_grains > 0)
-    scatter.onset = 0.0; // packings scatter as the grains do (error_sources)
-  reduced::PressModel const model(question.nominal, question.simulated.sheet, scatter, rows.plan);
+  reduced::PressModel const model(question.nominal, question.simulated.sheet,
+                                  repeat_scatter(question.simulated, rows.channels), rows.plan);
   auto const errors = error_sources(model, rows.channels, question.simulated.fit,
                                     uncertainty_of(question.simulated));
   table.calibrated = model.calibrated();

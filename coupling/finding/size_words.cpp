@@ -32,7 +32,7 @@ std::string named_in_words(Finding const& finding) {
   if (parts.empty())
     return "A cause was named.";
   std::string const rest = finding.is_incomplete
-                               ? " Something is left that this does not explain."
+                               ? " As it is known, it does not explain all of it."
                                : " With that the simulation agrees with the measurement.";
   return fmt::format("{}. Probability: {:.0f} %.{}", capitalised(joined(parts, "and")),
                      100.0 * least, rest);

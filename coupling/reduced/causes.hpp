@@ -39,7 +39,7 @@ struct RepeatScatter {
   double onset = 0.0012;       ///< [1], packing
   double wall_friction = 0.03; ///< [1], relative
   double gap_zero = 8e-6;      ///< [m]
-  double force_zero = 4.0;     ///< [N]
+  double force_zero = 4.0;     ///< [N], of a cell that is good to 12 N
 };
 std::vector<diagnosis::Scatter> scatters_of(RepeatScatter const& scatter);
 

@@ -77,6 +77,17 @@ BedUncertainty uncertainty_of(SimulatedPress const& simulated) {
   return uncertainty;
 }
 
+RepeatScatter repeat_scatter(SimulatedPress const& simulated,
+                             std::vector<ChannelError> const& channels) {
+  RepeatScatter scatter;
+  if (simulated.n_grains > 0)
+    scatter.onset = 0.0;
+  auto const cell = std::ranges::find(channels, "upper_punch_force", &ChannelError::channel);
+  if (cell != channels.end())
+    scatter.force_zero = cell->sd / 3.0;
+  return scatter;
+}
+
 std::string packings_in_words(SimulatedPress const& simulated) {
   auto const of = uncertainty_of(simulated);
   if (simulated.n_grains == 0)

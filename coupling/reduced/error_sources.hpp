@@ -27,6 +27,11 @@ struct BedUncertainty {
 /// what is known of that powder. Without grains the onset alone is unsure.
 BedUncertainty uncertainty_of(SimulatedPress const& simulated);
 
+/// Of a laboratory: a cell is zeroed to a third of what one of its readings is good to; packings
+/// of a known number of grains scatter as those do, which is no shift of the onset (`packing`).
+RepeatScatter repeat_scatter(SimulatedPress const& simulated,
+                             std::vector<diagnosis::ChannelError> const& channels);
+
 /// What is assumed of the packings of a simulation, in a sentence.
 std::string packings_in_words(SimulatedPress const& simulated);
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 
@@ -61,20 +62,36 @@ void append_opening(std::vector<Part>& parts, Places const& places, std::span<do
   }
 }
 
-/// Readings of the upper force in which the bed bears, first and last by the median of five.
-std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, double share) {
-  double const least = share * *std::ranges::max_element(
-                                   force, {}, [](double f) { return std::isfinite(f) ? f : 0.0; });
-  auto const bears = [&](std::size_t k) {
+/// Medians of five readings; nan where none is a number.
+std::vector<double> medians(std::span<double const> force) {
+  std::vector<double> all(force.size(), std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t k = 0; k < force.size(); ++k) {
     std::vector<double> near;
     for (std::size_t i = k < 2 ? 0 : k - 2; i < std::min(k + 3, force.size()); ++i)
       if (std::isfinite(force[i]))
         near.push_back(force[i]);
     if (near.empty())
-      return false;
+      continue;
     auto const middle = near.begin() + static_cast<std::ptrdiff_t>(near.size() / 2);
     std::ranges::nth_element(near, middle);
-    return *middle > least;
+    all[k] = *middle;
+  }
+  return all;
+}
+
+/// Readings of the upper force in which the bed bears, first and last: it is above its lowest, so
+/// that a cell with a false zero bears nothing, by a share of its range and what noise may do (the
+/// lowest of a thousand medians lies 2 sd low, and the highest as high).
+/// @param sd  of a reading [N]
+std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, double share,
+                                            double sd) {
+  auto const middle = medians(force);
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  for (double const f : middle)
+    if (std::isfinite(f))
+      low = std::min(low, f), high = std::max(high, f);
+  auto const bears = [&](std::size_t k) {
+    return middle[k] > low + share * (high - low) + 4.0 * sd;
   };
   std::size_t first = 0, last = force.size() - 1;
   while (first < last && !bears(first))
@@ -86,8 +103,10 @@ std::pair<std::size_t, std::size_t> bearing(std::span<double const> force, doubl
 
 /// Rows of a run, by the upper force; other channels take the same readings, but none of a compact
 /// that hangs in the die: no press run tells how it does.
-std::vector<Part> parts_of(Run const& run, GapCourse const& course, Binning const& binning) {
-  auto const [first, last] = bearing(run.channel("upper_punch_force"), binning.contact_share);
+std::vector<Part> parts_of(Run const& run, GapCourse const& course, double force_sd,
+                           Binning const& binning) {
+  auto const [first, last] =
+      bearing(run.channel("upper_punch_force"), binning.contact_share, force_sd);
   auto const turning = turning_of(course);
   // A little before it bears: the readings in which the onset lies.
   double const lead = 0.05 * (turning.closed - run.time[first]);
@@ -142,7 +161,8 @@ public:
   void add(Run const& run) {
     PlannedRun planned{
         .name = run.file, .course = measured_course(*data_, run), .times = {}, .blocks = {}};
-    auto const parts = parts_of(run, planned.course, binning_);
+    auto const parts =
+        parts_of(run, planned.course, data_->channel("upper_punch_force")->sd, binning_);
     std::map<double, std::size_t> places;
     std::vector<std::vector<std::array<double, 2>>> moments;
     for (auto const* const channel :

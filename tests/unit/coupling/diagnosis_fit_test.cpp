@@ -141,6 +141,23 @@ TEST(Unknowns, PriorsAreTheNegativeLogarithmsOfTheirDensities) {
   EXPECT_EQ(flat.prior_curvature(VectorXd::Ones(2))[1], 0.0);
 }
 
+TEST(Unknowns, AreTakenOutOfAWiderHypothesis) {
+  Curve model;
+  model.parameters = {{.name = "theta", .unit = "", .mean = 1.0, .sd = 1.0}};
+  model.causes = {{.name = "a", .unit = "", .scale = 1.0},
+                  {.name = "b",
+                   .unit = "",
+                   .scale = 1.0,
+                   .shapes = {{.name = "s", .unit = "", .mean = 0.0, .sd = 1.0}}}};
+  Unknowns const wider(model, {1, 0}, SizePriors::physical);
+  VectorXd u = VectorXd::LinSpaced(wider.size(), 1.0, static_cast<double>(wider.size()));
+  Unknowns const narrow(model, {1}, SizePriors::physical);
+  EXPECT_EQ(narrow.out_of(wider, u), u.head(wider.size() - 1));
+  VectorXd last(wider.n_calibrated() + 1);
+  last << u.head(wider.n_calibrated()), u.tail(1);
+  EXPECT_EQ(Unknowns(model, {0}, SizePriors::physical).out_of(wider, u), last);
+}
+
 TEST(Unknowns, RefusesMechanismsThatAreNotThere) {
   auto const model = random_linear(1, 4, 1, 2);
   for (std::vector<int> const& active : {std::vector{2}, std::vector{-1}, std::vector{1, 1}})

@@ -109,6 +109,28 @@ TEST(Verdict, NamesTwoEffects) {
   EXPECT_EQ(names_of(press, found.verdict.causes), (Names{"force_gain", "wall_friction"}));
 }
 
+/// Grains 4.4 standard deviations stronger than any that are known: perhaps something else breaks.
+TEST(Verdict, NamesWithReserveWhatHasAnOddForm) {
+  ToyPress const press;
+  auto odd = press;
+  odd.causes[7].shapes[0].mean = 60e6;
+  HiddenTruth const truth{.sizes = {{"breakage", 4.0}}};
+  auto const usual = diagnose_hidden(press, truth, 508);
+  auto const found = diagnose(hidden_data(odd, truth, 508), press, toy_errors());
+  for (auto const* one : {&usual, &found}) {
+    EXPECT_EQ(one->verdict.kind, VerdictKind::named);
+    EXPECT_EQ(names_of(press, one->verdict.causes), Names{"breakage"});
+  }
+  EXPECT_FALSE(usual.verdict.is_incomplete);
+  EXPECT_TRUE(found.verdict.is_incomplete);
+  ASSERT_EQ(found.verdict.statements.size(), 1u);
+  EXPECT_NE(found.verdict.statements[0].find("breakage fits with a strength of"),
+            std::string::npos);
+  EXPECT_FALSE(
+      diagnose(hidden_data(odd, truth, 508), press, toy_errors(), {.rules = {.shape_sds = 9.0}})
+          .verdict.is_incomplete);
+}
+
 TEST(Verdict, SaysThatItDoesNotKnow) {
   ToyPress const press;
   for (std::uint64_t seed = 0; seed < 3; ++seed) {

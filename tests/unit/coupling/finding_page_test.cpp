@@ -36,7 +36,7 @@ TEST(FindingPage, HasEverySectionOfANamedCause) {
 TEST(FindingPage, SaysWhatAnIncompleteNameLeaves) {
   auto finding = sample::named();
   finding.is_incomplete = true;
-  EXPECT_TRUE(has(verdict_part(finding), "Something is left that this does not explain."));
+  EXPECT_TRUE(has(verdict_part(finding), "As it is known, it does not explain all of it."));
 }
 
 TEST(FindingPage, ForetellsWhatTheNextMeasurementReads) {

@@ -1,4 +1,5 @@
 #include "coupling/reduced/compact.hpp"
+#include "coupling/reduced/error_sources.hpp"
 #include "coupling/reduced/measured_course.hpp"
 #include "coupling/reduced/measured_plan.hpp"
 #include "coupling/reduced/press_model.hpp"
@@ -112,6 +113,20 @@ TEST(MeasuredRows, AreSurerThanTheirReadings) {
       sum += block.n_readings.sum();
   EXPECT_EQ(sum, static_cast<double>(n)); // each reading is in one row
   EXPECT_THROW(measured_rows(laboratory(press()), measured::Role::held_out), dem::InvalidInput);
+}
+
+/// A load cell that is not zeroed bears nothing: the rows are of the same readings.
+TEST(MeasuredRows, BeginWhereTheBedBearsWhateverTheZero) {
+  Press const right = press();
+  auto const rows = measured_rows(laboratory(right), measured::Role::fit);
+  for (double const offset : {300.0, -300.0}) { // 1.2 % of the largest force
+    Press wrong = right;
+    wrong.machine.load_cell.offset = offset;
+    auto const shifted = measured_rows(laboratory(wrong), measured::Role::fit);
+    ASSERT_EQ(shifted.blocks.size(), rows.blocks.size());
+    for (std::size_t b = 0; b < rows.blocks.size(); ++b)
+      EXPECT_EQ(shifted.blocks[b].n_readings, rows.blocks[b].n_readings) << offset;
+  }
 }
 
 /// An opening is over in a few readings: no row takes more than an eighth of the fall, so that two
@@ -234,6 +249,17 @@ TEST(CompactNumbers, AreThoseOfTheCompact) {
   wrong.machine.load_cell = {.gain = 1.02, .offset = 30.0};
   EXPECT_NEAR(compact_number("dead_weight", wrong, cycle), 1.02 * 10e3 + 30.0, 1e-9);
   EXPECT_FALSE(is_foretold("colour"));
+}
+
+TEST(RepeatScatter, IsThatOfTheCellAndTheGrains) {
+  SimulatedPress simulated{};
+  auto const scatter = repeat_scatter(simulated, {{.channel = "upper_punch_force", .sd = 1.5}});
+  EXPECT_EQ(scatter.force_zero, 0.5);
+  EXPECT_EQ(scatter.onset, RepeatScatter{}.onset);
+  simulated.n_grains = 2204;
+  auto const of_grains = repeat_scatter(simulated, {});
+  EXPECT_EQ(of_grains.force_zero, RepeatScatter{}.force_zero);
+  EXPECT_EQ(of_grains.onset, 0.0);
 }
 
 TEST(RepeatScatter, MovesWhatItIsCalled) {
