@@ -35,10 +35,34 @@ void validate(HeldOutRun const& run) {
       fmt::format("{}: holds a value that is no number. Should that row be left out?", run.run));
 }
 
-double log_density(VectorXd const& measured, HeldOutPrediction const& foretold) {
+/// ln of each row's density given the rows before it, without -ln(2 pi) / 2.
+VectorXd log_densities(VectorXd const& measured, HeldOutPrediction const& foretold) {
   Whitener const whitener(foretold.covariance, Tolerances{}.largest_jitter);
-  return -0.5 *
-         (whitener.whiten(measured - foretold.value).squaredNorm() + whitener.log_determinant());
+  VectorXd const z = whitener.whiten(measured - foretold.value);
+  return -0.5 * z.array().square() - whitener.conditional_sd().array().log();
+}
+
+/// Standard error of the sum of some numbers that do not know of each other, sqrt(n var).
+double error_of_sum(VectorXd const& of) {
+  auto const n = static_cast<double>(of.size());
+  return std::sqrt(n * (of.array() - of.mean()).square().sum() / (n - 1.0));
+}
+
+/// Differences of the log densities, summed, and their standard error.
+void add_score(std::vector<HeldOutRun> const& runs, Gain& gain) {
+  VectorXd of_rows, of_runs(static_cast<Index>(runs.size()));
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    VectorXd const change = log_densities(runs[k].measured, runs[k].after) -
+                            log_densities(runs[k].measured, runs[k].before);
+    of_rows.conservativeResize(of_rows.size() + change.size());
+    of_rows.tail(change.size()) = change;
+    of_runs[static_cast<Index>(k)] = change.sum();
+  }
+  gain.elpd_difference = of_runs.sum();
+  gain.elpd_error =
+      of_rows.size() < 2 ? std::numeric_limits<double>::infinity() : error_of_sum(of_rows);
+  if (runs.size() >= fewest_runs)
+    gain.elpd_error = std::max(gain.elpd_error, error_of_sum(of_runs));
 }
 
 /// Sums over the rows of one run and channel.
@@ -116,22 +140,13 @@ Gain measure_gain(std::vector<HeldOutRun> const& runs, GainSettings const& setti
       fmt::format("gain: {} resamplings (at least one). Is the number meant?", settings.n_draws));
   std::vector<std::string> channels;
   Gain gain{};
-  double squares = 0.0;
   for (auto const& run : runs) {
     validate(run);
     for (auto const& channel : run.channels)
       if (std::ranges::count(channels, channel) == 0)
         channels.push_back(channel);
-    double const difference =
-        log_density(run.measured, run.after) - log_density(run.measured, run.before);
-    gain.elpd_difference += difference;
-    squares += difference * difference;
   }
-  auto const n = static_cast<double>(runs.size());
-  double const mean = gain.elpd_difference / n;
-  gain.elpd_error = runs.size() < 2
-                        ? std::numeric_limits<double>::infinity()
-                        : std::sqrt(n * std::max(0.0, squares - n * mean * mean) / (n - 1.0));
+  add_score(runs, gain);
   channels.emplace_back(); // all
   for (auto const& channel : channels)
     gain.channels.push_back(gain_of(runs, channel, settings));

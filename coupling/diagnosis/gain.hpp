@@ -32,7 +32,10 @@ struct ChannelGain {
 struct Gain {
   std::vector<ChannelGain> channels; ///< in the order of their first rows, then "all"
   double elpd_difference; ///< sum over runs of ln N(measured | after) - ln N(measured | before)
-  double elpd_error;      ///< its standard error, sqrt(n var); infinite for a single run
+  /// Its standard error, sqrt(n var) of what the rows add, each given those of its run before it
+  /// (they do not know of each other then); that of the runs where there are three and it is
+  /// larger. Two runs say nothing of how runs scatter: one presses further, the other faster.
+  double elpd_error;
 };
 
 struct GainSettings {
@@ -40,8 +43,8 @@ struct GainSettings {
   std::uint64_t seed = 1;
 };
 
-/// What an extension is worth on runs that it has never seen. Runs are the units: rows of one run
-/// foretell each other. Called a second time with the best wrong cause in the place of `after` it
+/// What an extension is worth on runs that it has never seen. Rows of one run foretell each
+/// other. Called a second time with the best wrong cause in the place of `after` it
 /// gives the placebo. Interval: percentiles of a bootstrap over runs (Efron 1979).
 /// Source of the score: Vehtari, Gelman, Gabry, Stat. Comput. 27 (2017) 1413.
 /// @throws dem::InvalidInput without a run, for sizes that differ, values that are no numbers, a

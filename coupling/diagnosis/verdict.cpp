@@ -210,10 +210,10 @@ bool has_odd_shape(Findings const& findings, Fit const& fit, VerdictRules const&
         continue;
       is_odd = true;
       verdict.statements.push_back(fmt::format(
-          "{} fits with a {} of {:.3g} {} only, {:.1f} standard deviations from what is known of "
+          "{} fits with a {} of {:.3g}{} only, {:.1f} standard deviations from what is known of "
           "it: another cause may have this form",
           name(findings, j), shapes[k].name, fit.at.shapes[static_cast<std::size_t>(j)][place],
-          shapes[k].unit, std::abs(u)));
+          shapes[k].unit == "1" ? "" : " " + shapes[k].unit, std::abs(u)));
     }
   }
   return is_odd;

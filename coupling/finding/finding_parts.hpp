@@ -92,7 +92,7 @@ struct MeasuredGain {
   std::vector<std::string> causes = {}; ///< what the extended model has
   std::vector<ChannelGained> channels = {};
   double elpd_difference = not_known; ///< sum of ln densities, extended minus calibrated
-  double elpd_error = not_known;      ///< its standard error; infinite for a single run
+  double elpd_error = not_known;      ///< its standard error
   int n_runs = 0;
 };
 

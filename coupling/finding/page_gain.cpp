@@ -49,7 +49,7 @@ std::string score_in_words(std::string_view who, MeasuredGain const& gain) {
     return "";
   std::string const error = std::isfinite(gain.elpd_error)
                                 ? fmt::format(" ± {:.3g}", gain.elpd_error)
-                                : " (one run alone has no error)";
+                                : " (one reading alone has no error)";
   return fmt::format("{}: ln of the held-out density rises by {:.4g}{}. ", who,
                      gain.elpd_difference, error);
 }

@@ -120,7 +120,7 @@ void validate_numbers(BedLaw const& law) {
     refuse("onset", law.onset, "is no solid fraction (0 to 1). Is it in percent?");
   if (!(law.exponent >= 1.0))
     refuse("exponent", law.exponent, "must be at least 1. A bed stiffens as it closes?");
-  if (!(law.recovery > 0.0 && law.recovery <= 1.5))
+  if (!(law.recovery > 0.0 && law.recovery <= largest_recovery))
     refuse("recovery", law.recovery, "must be above 0 and at most 1.5. Is it in percent?");
   if (!(law.opening > 0.0))
     refuse("opening", law.opening, "must be positive. Is its sign turned?");

@@ -39,6 +39,9 @@ struct Yielding {
   double stress = 20e6; ///< [Pa], > 0
 };
 
+/// Of r: a bed does not open beyond the height at which it began to bear by more than this.
+inline constexpr double largest_recovery = 1.5;
+
 /// A powder bed between punches as one column: what thousands of grains sum up to, in a few numbers
 /// and the curves that a simulation filled in (fit_bed_law). phi is the solid fraction over the
 /// whole height, x = phi - phi_c what it lies above the onset, s the mean of both punches' stress.

@@ -71,12 +71,17 @@ void die_size(Press& press, double a, VectorXd const&) {
 void punch_tilt(Press& press, double a, VectorXd const&) {
   press.pressed.tilt += a;
 }
+/// A search asks for sizes far from any press: a bed that opens on no way, or one beyond its fill,
+/// is no law.
+void add_recovery(BedLaw& law, double change) {
+  law.recovery = std::clamp(law.recovery + change, 0.05, largest_recovery);
+}
 /// Of the coefficient of friction the bed's column shows a part; a rougher wall holds the bed back
 /// as it opens. Slopes: cases/seed-library/grain_effects.json.
 void wall_friction(Press& press, double a, VectorXd const&) {
   auto& law = press.pressed.law;
   law.wall_friction = std::max(law.wall_friction + 0.7 * a, 0.0);
-  law.recovery = std::max(law.recovery + 0.6 * a, 0.05);
+  add_recovery(law, 0.6 * a);
 }
 /// Rougher grains pack looser, lean less on the wall and come back less. Slopes:
 /// cases/seed-library/grain_effects.json; the bed's stiffness does not change by more than its
@@ -85,7 +90,7 @@ void particle_friction(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
   law.onset -= 0.055 * a;
   law.radial_ratio = std::max(law.radial_ratio - 0.74 * a, 0.05);
-  law.recovery = std::max(law.recovery - 0.16 * a, 0.05);
+  add_recovery(law, -0.16 * a);
   law.stiffness *= std::exp(shapes[0] * a);
 }
 /// Contacts that yield: softer above a stress, less given back, and that on a straighter way.

@@ -113,8 +113,9 @@ std::vector<std::pair<std::string, std::string>> deck_of(GrainPress const& press
   if (!press.more.empty())
     throw std::invalid_argument(fmt::format(
         "the other code has no entry '{}'. Is the cause one of its own?", press.more.front()));
-  // A fifth of the Rayleigh time of 1.2 mm alumina at 250 MPa, 11.25e-6 s.
-  double const dt = 0.2 * 11.25e-6 * std::sqrt(250e6 / press.young_modulus);
+  // A tenth of the Rayleigh time of 1.2 mm alumina at 250 MPa, 11.25e-6 s. At a fifth the same bed
+  // bears 8 % less.
+  double const dt = 0.1 * 11.25e-6 * std::sqrt(250e6 / press.young_modulus);
   long step = static_cast<long>(std::size(classes)); // one each for the filling
   double time = 0.0;
   auto const closing = move(fill_height, press.end_gap, dt, step, time);

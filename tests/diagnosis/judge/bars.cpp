@@ -156,8 +156,8 @@ void sizes(Rates& hold) {
 
 } // namespace
 
-std::vector<BarResult> hold_bars(std::span<JudgedCase const> cases) {
-  Rates hold(cases);
+std::vector<BarResult> hold_bars(std::span<JudgedCase const> cases, double level) {
+  Rates hold(cases, level);
   alarms_and_power(hold);
   naming(hold);
   floors(hold, cases);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "tests/diagnosis/judge/binomial.hpp"
 #include "tests/diagnosis/judge/judged_case.hpp"
 
 #include <span>
@@ -19,7 +20,8 @@ struct BarResult {
   bool holds;
 };
 
-std::vector<BarResult> hold_bars(std::span<JudgedCase const> cases);
+/// @param level  of each binomial test
+std::vector<BarResult> hold_bars(std::span<JudgedCase const> cases, double level = usual_level);
 
 /// The results as a table. @return whether all hold
 bool print(std::span<BarResult const> results);

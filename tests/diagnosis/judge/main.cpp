@@ -1,15 +1,15 @@
 #include "tests/diagnosis/judge/bars.hpp"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cstdio>
 #include <exception>
-#include <string_view>
+#include <filesystem>
 
 namespace {
 
-/// A line a case: what was hidden, what was answered.
 void list(std::span<judging::JudgedCase const> cases) {
   for (auto const& one : cases)
     fmt::print("{:16} {:20} {}{} {}\n", one.name, fmt::join(one.truth.causes, ", "),
@@ -19,20 +19,27 @@ void list(std::span<judging::JudgedCase const> cases) {
 
 } // namespace
 
-/// usage: judge [--cases] FOLDER. Exit status: 0 all bars hold, 1 one fails, 2 the folder is no set
-/// of cases.
+/// Exit status: 0 all bars hold, 1 one fails, 2 the folder is no set of cases.
 int main(int argc, char** argv) {
-  bool const lists = argc == 3 && std::string_view(argv[1]) == "--cases";
-  if (argc != 2 && !lists) {
-    fmt::print(stderr, "usage: judge [--cases] FOLDER, with NAME/sealed/truth.json and "
-                       "NAME/diagnosis/diagnosis.json in it\n");
-    return 2;
+  CLI::App app("Holds the bars of the diagnosis note against diagnoses of hidden effects.",
+               "judge");
+  std::filesystem::path folder;
+  bool lists = false;
+  double level = judging::usual_level;
+  app.add_option("FOLDER", folder, "with NAME/sealed/truth.json and NAME/diagnosis/diagnosis.json")
+      ->required();
+  app.add_flag("--cases", lists, "a line a case: what was hidden, what was answered");
+  app.add_option("--level", level, "of each bar's binomial test")->check(CLI::Range(1e-12, 0.5));
+  try {
+    app.parse(argc, argv);
+  } catch (CLI::ParseError const& error) {
+    return app.exit(error) == 0 ? 0 : 2;
   }
   try {
-    auto const cases = judging::read_cases(argv[argc - 1]);
+    auto const cases = judging::read_cases(folder);
     if (lists)
       list(cases);
-    return judging::print(judging::hold_bars(cases)) ? 0 : 1;
+    return judging::print(judging::hold_bars(cases, level)) ? 0 : 1;
   } catch (std::exception const& error) {
     fmt::print(stderr, "judge: {}\n", error.what());
     return 2;

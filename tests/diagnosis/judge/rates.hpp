@@ -1,7 +1,6 @@
 #pragma once
 
 #include "tests/diagnosis/judge/bars.hpp"
-#include "tests/diagnosis/judge/binomial.hpp"
 
 #include <functional>
 
@@ -12,7 +11,7 @@ using Test = std::function<bool(JudgedCase const&)>;
 /// Cases of which a bar speaks, and how often something holds among them.
 class Rates {
 public:
-  explicit Rates(std::span<JudgedCase const> cases) : cases_(cases) {}
+  Rates(std::span<JudgedCase const> cases, double level) : cases_(cases), level_(level) {}
 
   void at_most(char const* bar, char const* what, double target, Test const& of, Test const& is) {
     add(bar, what, target, of, is, true);
@@ -31,7 +30,7 @@ private:
         ++n;
         count += is(one) ? 1 : 0;
       }
-    int const limit = is_upper ? most_allowed(n, target) : least_allowed(n, target);
+    int const limit = is_upper ? most_allowed(n, target, level_) : least_allowed(n, target, level_);
     results.push_back({.bar = bar,
                        .quantity = what,
                        .target = target,
@@ -42,6 +41,7 @@ private:
                        .holds = n == 0 || (is_upper ? count <= limit : count >= limit)});
   }
   std::span<JudgedCase const> cases_;
+  double level_;
 };
 
 } // namespace judging

@@ -19,6 +19,9 @@ using Json = nlohmann::ordered_json;
 TEST(Binomial, AllowsWhatATrueRateDoes) {
   EXPECT_EQ(judging::most_allowed(400, 0.01), 9);
   EXPECT_EQ(judging::least_allowed(20, 0.85), 13);
+  EXPECT_EQ(judging::most_allowed(16, 0.02), 2);
+  EXPECT_EQ(judging::most_allowed(16, 0.02, 1e-4), 4);   // P(X >= 4) = 2.5e-4, P(X >= 5) = 1e-5
+  EXPECT_EQ(judging::least_allowed(20, 0.85, 1e-4), 10); // P(X <= 10) = 2.5e-4, P(X <= 9) = 4e-5
   EXPECT_EQ(judging::most_allowed(0, 0.01), 0);
   EXPECT_EQ(judging::least_allowed(0, 0.95), 0);
   EXPECT_EQ(judging::least_allowed(1, 0.95), 0); // P(0) = 0.05: one miss says nothing

@@ -36,17 +36,29 @@ TEST(Gain, IsThatOfTheErrorsByChannel) {
   EXPECT_TRUE(std::isnan(gain.channels[0].low)); // two runs give no interval
 }
 
-TEST(Gain, ScoresDensitiesWithRunsAsUnits) {
+TEST(Gain, ScoresDensitiesAndTheirScatterOverRows) {
   auto const gain =
       measure_gain({run("a", VectorXd{{3.0, 4.0, 2.0}}), run("b", VectorXd{{30.0, 0.0, 0.0}})});
   // -1/2 (chi^2 + ln det): before 29 / 4 + 3 ln 4, after 0.29; and 900 / 4 + 3 ln 4, after 9
   double const a = 0.5 * (29.0 / 4.0 - 0.29 + 3.0 * std::log(4.0));
   double const b = 0.5 * (225.0 - 9.0 + 3.0 * std::log(4.0));
   EXPECT_NEAR(gain.elpd_difference, a + b, 1e-10);
-  // sqrt(n var) of two numbers: sqrt(2 (a - b)^2 / 2)
-  EXPECT_NEAR(gain.elpd_error, b - a, 1e-9);
-  EXPECT_EQ(measure_gain({run("a", VectorXd::Ones(3))}).elpd_error,
-            std::numeric_limits<double>::infinity());
+  // Of six rows each adds y^2 (1 / 4 - 1 / 100) / 2 and the same constant.
+  VectorXd const rows = 0.5 * 0.24 * VectorXd{{9.0, 16.0, 4.0, 900.0, 0.0, 0.0}};
+  double const of_rows = std::sqrt(6.0 / 5.0 * (rows.array() - rows.mean()).square().sum());
+  EXPECT_NEAR(gain.elpd_error, of_rows, 1e-9);
+  // Three runs tell how runs scatter: sqrt(3 var) of a, a, b.
+  auto const three =
+      measure_gain({run("a", VectorXd{{3.0, 4.0, 2.0}}), run("c", VectorXd{{3.0, 4.0, 2.0}}),
+                    run("b", VectorXd{{18.0, 17.0, 17.0}})});
+  double const c = 0.5 * (902.0 * 0.24 + 3.0 * std::log(4.0));
+  EXPECT_NEAR(three.elpd_error, c - a, 1e-9);
+  HeldOutRun one{.run = "d",
+                 .measured = VectorXd::Ones(1),
+                 .channels = {"force"},
+                 .before = {VectorXd::Zero(1), MatrixXd::Identity(1, 1)},
+                 .after = {VectorXd::Zero(1), MatrixXd::Identity(1, 1)}};
+  EXPECT_EQ(measure_gain({one}).elpd_error, std::numeric_limits<double>::infinity());
 }
 
 TEST(Gain, HasAnIntervalOverRuns) {

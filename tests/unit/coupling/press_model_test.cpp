@@ -184,6 +184,25 @@ TEST(PressModel, EveryCauseIsLive) {
   }
 }
 
+/// Student's t lets a search go far: nowhere inside the bounds does it leave the laws.
+TEST(PressModel, StaysALawWhereverASearchAsks) {
+  auto const rows = measured_rows(laboratory(press()), measured::Role::fit);
+  PressModel const model(press(), sheet, {}, rows.plan);
+  for (double const scales : {-30.0, -3.0, 3.0, 30.0})
+    for (std::size_t j = 0; j < model.mechanisms().size(); ++j)
+      for (double const shape_sds : {-5.0, 0.0, 5.0}) {
+        auto const& one = model.mechanisms()[j];
+        auto at = nominal_parameters(model);
+        at.sizes[static_cast<Eigen::Index>(j)] =
+            std::clamp(scales * one.scale, one.is_one_sided ? 0.0 : one.low, one.high);
+        for (std::size_t s = 0; s < one.shapes.size(); ++s)
+          at.shapes[j][static_cast<Eigen::Index>(s)] =
+              std::clamp(one.shapes[s].mean + shape_sds * one.shapes[s].sd, one.shapes[s].low,
+                         one.shapes[s].high);
+        EXPECT_NO_THROW(predict_rows(model, at, rows.plan.n_rows())) << one.name << ' ' << scales;
+      }
+}
+
 TEST(PressModel, CausesDoWhatTheyAreCalled) {
   auto const after = [](char const* name, double size) {
     Press changed = press();
