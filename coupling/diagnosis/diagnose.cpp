@@ -52,14 +52,6 @@ Selected select_under(Weighed weighed, MisfitTests const& tests,
   return {std::move(weighed), std::move(baseline), std::move(library), std::move(selection)};
 }
 
-/// The most probable hypothesis that names anything: under an alarm "none" has no slack to add.
-Fit const& best_fit(Selection const& selection) {
-  for (auto const& one : selection.hypotheses)
-    if (!one.fit.active.empty())
-      return one.fit;
-  return selection.hypotheses.front().fit;
-}
-
 /// A cause that is gone where the error of its own form counts, and is back where it does not, is
 /// none: the smaller set stays.
 bool only_adds(Selected const& next, Selected const& before) {
@@ -81,6 +73,13 @@ std::vector<CauseEstimate> estimate(Selected const& selected, double largest_pri
 }
 
 } // namespace
+
+Fit const& best_fit(Selection const& selection) {
+  for (auto const& one : selection.hypotheses)
+    if (!one.fit.active.empty())
+      return one.fit;
+  return selection.hypotheses.front().fit;
+}
 
 Diagnosis diagnose(Observations const& observations, Model const& model,
                    ErrorSources const& sources, DiagnosisSettings const& settings) {

@@ -38,6 +38,10 @@ struct Diagnosis {
   Verdict verdict;
 };
 
+/// The most probable hypothesis that names anything, whose forms have slack in the common Sigma:
+/// under an alarm "none" has none to add. None if nothing else was fitted.
+Fit const& best_fit(Selection const& selection);
+
 /// The whole way: error model, calibrated baseline, tests, selection under a common Sigma that is
 /// computed again at the best hypothesis, intervals, verdict. Causes are looked for only after an
 /// alarm. Deterministic: the same input and seed give the same bits.

@@ -14,32 +14,39 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-void validate(CandidateMeasurement const& one, Index n_calibrated, Index n_mechanisms) {
-  auto const n = one.baseline.size();
+void validate(CandidateMeasurement const& one, Fit const& baseline, Index n_mechanisms) {
+  auto const n = one.baseline.size(), n_calibrated = baseline.unknowns.size();
   VALIDATE(one.cost > 0.0, fmt::format("{}: costs {:g} (a cost is positive). What does it take?",
                                        one.name, one.cost));
   VALIDATE(n > 0 && static_cast<Index>(one.places.size()) == n && one.calibrated.rows() == n &&
                one.calibrated.cols() == n_calibrated && one.effects.rows() == n &&
                one.effects.cols() == n_mechanisms && one.covariance.rows() == n &&
-               one.covariance.cols() == n,
+               one.covariance.cols() == n &&
+               (one.shared.size() == 0 ||
+                (one.shared.rows() == baseline.residual.size() && one.shared.cols() == n)),
            fmt::format("{}: has {} rows, but places, changes or covariances of other sizes ({} "
                        "calibrated parameters, {} mechanisms). Was it made for this model?",
                        one.name, n, n_calibrated, n_mechanisms));
 }
 
-/// The library with the candidate's rows below the measured ones.
+/// The library with the candidate's rows below the measured ones, each given what is measured:
+/// with W = shared, changes less W' of those measured, covariance less W' W.
 SignatureLibrary widened(SignatureLibrary const& library, Fit const& baseline,
                          CandidateMeasurement const& extra) {
-  Whitener const whitener(extra.covariance, Tolerances{}.largest_jitter);
   auto const n = library.tangent.n_rows(), k = extra.baseline.size();
-  MatrixXd slopes(n + k, baseline.slopes.cols());
-  slopes << baseline.slopes, whitener.whiten(extra.calibrated);
-  SignatureLibrary wide{TangentSpace(slopes), library.signatures, {}};
-  MatrixXd const effects = whitener.whiten(extra.effects);
+  MatrixXd const W = extra.shared.size() > 0 ? extra.shared : MatrixXd::Zero(n, k);
+  Whitener const whitener(extra.covariance - W.transpose() * W, Tolerances{}.largest_jitter);
+  auto const below = [&](MatrixXd const& measured, MatrixXd const& own) {
+    MatrixXd rows(n + k, measured.cols());
+    rows << measured, whitener.whiten(own - W.transpose() * measured);
+    return rows;
+  };
+  SignatureLibrary wide{
+      TangentSpace(below(baseline.slopes, extra.calibrated)), library.signatures, {}};
   for (std::size_t j = 0; j < wide.signatures.size(); ++j) {
-    MatrixXd rows(n + k, library.signatures[j].whitened.cols());
-    rows.topRows(n) = library.signatures[j].whitened;
-    rows.bottomRows(k) = effects.col(static_cast<Index>(j)).replicate(1, rows.cols());
+    auto const& measured = library.signatures[j].whitened;
+    MatrixXd const rows = below(
+        measured, extra.effects.col(static_cast<Index>(j)).replicate(1, measured.cols()));
     wide.signatures[j].whitened = rows;
     wide.signatures[j].projected = wide.tangent.project(rows);
   }
@@ -119,7 +126,7 @@ next_measurements(Fit const& baseline, SignatureLibrary const& library,
                   possible.size()));
   std::vector<MeasurementAdvice> advice;
   for (auto const& one : candidates) {
-    validate(one, baseline.unknowns.size(), static_cast<Index>(library.signatures.size()));
+    validate(one, baseline, static_cast<Index>(library.signatures.size()));
     double const after = least_separation(widened(library, baseline, one), possible);
     advice.push_back({.name = one.name,
                       .cost = one.cost,

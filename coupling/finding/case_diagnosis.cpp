@@ -111,7 +111,10 @@ Finding CaseDiagnosis::finding() const {
   if (auto const possible = possible_causes(found_); possible.size() > 1)
     parts.advice = next_measurements(
         baseline, found_.library, possible,
-        measurement_catalogue(model_, question_.data, rows_.channels, sources_, baseline.at));
+        measurement_catalogue(
+            model_, question_.simulated,
+            {question_.data, rows_, found_.comparison.whitener, best_fit(found_.selection)},
+            baseline.at));
   if (found_.verdict.kind == VerdictKind::unknown || found_.verdict.is_incomplete)
     parts.unexplained = describe_unexplained(
         observations_, found_.comparison, found_.library, found_.tests, baseline.predicted,

@@ -181,9 +181,45 @@ std::vector<diagnosis::ReadingPlace> places_of(PlannedRun const& run, Proposal c
   return all;
 }
 
+/// Errors of a pressing beside those of the measured rows.
+/// @param model  of all these rows
+diagnosis::ErrorSources errors_with(Proposal const& proposal, PressModel const& model,
+                                    SimulatedPress const& simulated,
+                                    std::vector<ChannelError> channels) {
+  auto const stated = channels;
+  for (auto const& channel : proposal.channels)
+    if (std::ranges::find(stated, channel, &ChannelError::channel) == stated.end())
+      channels.push_back(error_of(channel, stated));
+  if (!proposal.scalar.empty())
+    channels.push_back({.channel = proposal.scalar, .sd = proposal.sd});
+  // A dead weight asks nothing of the simulation.
+  for (auto& channel : channels)
+    if (channel.channel == "dead_weight")
+      channel.model_share = 0.0;
+  return error_sources(model, std::move(channels), simulated.fit, uncertainty_of(simulated));
+}
+
+/// Covariances of a pressing's rows: with themselves, and with the measured ones.
+void add_covariances(Proposal const& proposal, Pressing const& pressing, PressModel const& of,
+                     SimulatedPress const& simulated, Measured const& measured,
+                     CandidateMeasurement& result) {
+  auto plan = of.plan();
+  plan.runs.push_back(pressing.run);
+  auto const model = of.with_plan(plan);
+  auto blocks = measured.rows.blocks;
+  blocks.insert(blocks.end(), pressing.blocks.begin(), pressing.blocks.end());
+  auto const all =
+      error_model(diagnosis::Observations(blocks), model,
+                  errors_with(proposal, model, simulated, measured.rows.channels),
+                  measured.best.at, measured.best.active)
+          .covariance;
+  auto const n = result.baseline.size();
+  result.covariance = all.bottomRightCorner(n, n);
+  result.shared = measured.whitener.whiten(all.topRightCorner(all.rows() - n, n));
+}
+
 CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
-                               std::vector<ChannelError> const& channels,
-                               diagnosis::ErrorSources const& sources,
+                               SimulatedPress const& simulated, Measured const& measured,
                                diagnosis::Parameters const& at) {
   auto pressing = pressing_of(proposal);
   sort_times(pressing.run);
@@ -211,31 +247,19 @@ CandidateMeasurement candidate(Proposal const& proposal, PressModel const& of,
     moved.sizes[place] += part * mechanisms[j].scale;
     result.effects.col(place) = (model.predict(moved) - result.baseline) / part;
   }
-  diagnosis::ErrorSources own{.channels = {}, .tolerances = sources.tolerances};
-  for (auto const& channel : proposal.channels)
-    own.channels.push_back(error_of(channel, channels));
-  if (!proposal.scalar.empty())
-    own.channels.push_back({.channel = proposal.scalar, .sd = proposal.sd});
-  // A balance, a bore gauge or a dead weight ask nothing of the simulation.
-  for (auto& channel : own.channels)
-    if (channel.channel == "compact_mass" || channel.channel == "compact_diameter" ||
-        channel.channel == "dead_weight")
-      channel.model_share = 0.0;
-  result.covariance =
-      error_model(diagnosis::Observations(pressing.blocks), model, own, at, {}).covariance;
+  add_covariances(proposal, pressing, of, simulated, measured, result);
   return result;
 }
 
 } // namespace
 
 std::vector<CandidateMeasurement> measurement_catalogue(PressModel const& model,
-                                                        measured::MeasuredData const& data,
-                                                        std::vector<ChannelError> const& channels,
-                                                        diagnosis::ErrorSources const& sources,
+                                                        SimulatedPress const& simulated,
+                                                        Measured const& measured,
                                                         diagnosis::Parameters const& baseline) {
   std::vector<CandidateMeasurement> all;
-  for (auto const& proposal : proposals(data))
-    all.push_back(candidate(proposal, model, channels, sources, baseline));
+  for (auto const& proposal : proposals(measured.data))
+    all.push_back(candidate(proposal, model, simulated, measured, baseline));
   return all;
 }
 

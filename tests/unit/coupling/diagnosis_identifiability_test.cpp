@@ -3,6 +3,7 @@
 #include "tests/support/near.hpp"
 #include "tests/unit/coupling/diagnosis_linear.hpp"
 
+#include <Eigen/LU>
 #include <gtest/gtest.h>
 
 namespace {
@@ -116,6 +117,47 @@ TEST(NextMeasurement, IsTheOneThatSeparatesByItsCost) {
   EXPECT_NEAR(advice[0].outcomes[0].value[0], 4.0, 1e-2); // 2 + 2 times size 1
   EXPECT_NEAR(advice[0].outcomes[1].value[0], 2.0, 1e-2);
   EXPECT_NEAR(advice[0].outcomes[0].sd[0], 0.2, 1e-12);
+}
+
+/// The long way: all rows under one covariance, |e - b r| in its inverse at the best b.
+TEST(NextMeasurement, KnowsErrorsThatTheMeasuredRowsShare) {
+  Plane const plane(MatrixXd{{10.0, 10.0}, {0.0, 1.0}, {0.0, 0.0}});
+  std::vector<PossibleCause> possible;
+  for (int const j : {0, 1}) {
+    Comparison data = plane.comparison;
+    data.target = VectorXd{{10.1, 0.0, 0.0}};
+    possible.push_back({j, fit_hypothesis(data, {j}, VectorXd::Zero(1))});
+  }
+  CandidateMeasurement extra{.name = "another run",
+                             .cost = 1.0,
+                             .places = {{.channel = "upper_punch_force", .unit = "N"}},
+                             .baseline = VectorXd{{0.0}},
+                             .calibrated = MatrixXd(1, 0),
+                             .effects = MatrixXd{{2.0, 1.6}},
+                             .covariance = MatrixXd{{0.04}}};
+  auto const after = [&](MatrixXd const& shared) {
+    extra.shared = shared;
+    return next_measurements(plane.baseline, plane.library, possible, {extra})[0].after;
+  };
+  auto const slow = [&](VectorXd const& shared) {
+    MatrixXd all = MatrixXd::Identity(4, 4);
+    all(3, 3) = 0.04;
+    all.topRightCorner(3, 1) = shared;
+    all.bottomLeftCorner(1, 3) = shared.transpose();
+    MatrixXd const S = all.inverse();
+    MatrixXd const rows{{10.0, 10.0}, {0.0, 1.0}, {0.0, 0.0}, {2.0, 1.6}};
+    double least = no_bound;
+    for (int const j : {0, 1}) {
+      VectorXd const e = possible[static_cast<std::size_t>(j)].fit.at.sizes[j] * rows.col(j);
+      VectorXd const r = rows.col(1 - j);
+      least = std::min(least, e.dot(S * e) - std::pow(e.dot(S * r), 2) / r.dot(S * r));
+    }
+    return std::sqrt(least);
+  };
+  for (auto const& shared : {VectorXd{{0.0, 0.0, 0.0}}, VectorXd{{0.15, 0.0, 0.0}},
+                             VectorXd{{-0.1, 0.12, 0.0}}})
+    EXPECT_NEAR(after(shared), slow(shared), 1e-6);
+  EXPECT_EQ(after({}), after(MatrixXd::Zero(3, 1)));
 }
 
 TEST(NextMeasurement, ForetellsEachChannelWhereTheCausesDifferMost) {
