@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 struct Weighed {
   ErrorModel errors;
   Comparison comparison;
+  SigmaPoint at;
 };
 
 Weighed weigh_at(Observations const& observations, Model const& model, ErrorSources const& sources,
@@ -24,7 +25,7 @@ Weighed weigh_at(Observations const& observations, Model const& model, ErrorSour
   auto errors = error_model(observations, model, sources, at, active);
   Comparison comparison{&model, observations.values() - errors.bias,
                         Whitener(errors.covariance, sources.tolerances.largest_jitter)};
-  return {std::move(errors), std::move(comparison)};
+  return {std::move(errors), std::move(comparison), {at, active}};
 }
 
 /// Sigma at the prior means, the baseline, and both again.
@@ -52,6 +53,14 @@ Selected select_under(Weighed weighed, MisfitTests const& tests,
   return {std::move(weighed), std::move(baseline), std::move(library), std::move(selection)};
 }
 
+/// The most probable hypothesis that names anything: under an alarm "none" has no slack to add.
+Fit const& best_fit(Selection const& selection) {
+  for (auto const& one : selection.hypotheses)
+    if (!one.fit.active.empty())
+      return one.fit;
+  return selection.hypotheses.front().fit;
+}
+
 /// A cause that is gone where the error of its own form counts, and is back where it does not, is
 /// none: the smaller set stays.
 bool only_adds(Selected const& next, Selected const& before) {
@@ -73,13 +82,6 @@ std::vector<CauseEstimate> estimate(Selected const& selected, double largest_pri
 }
 
 } // namespace
-
-Fit const& best_fit(Selection const& selection) {
-  for (auto const& one : selection.hypotheses)
-    if (!one.fit.active.empty())
-      return one.fit;
-  return selection.hypotheses.front().fit;
-}
 
 Diagnosis diagnose(Observations const& observations, Model const& model,
                    ErrorSources const& sources, DiagnosisSettings const& settings) {
@@ -123,6 +125,7 @@ Diagnosis diagnose(Observations const& observations, Model const& model,
           .tests = tests,
           .detectable = std::move(detectable),
           .comparison = std::move(selected.weighed.comparison),
+          .sigma_at = std::move(selected.weighed.at),
           .baseline_in_common = std::move(selected.baseline),
           .library = std::move(selected.library),
           .selection = std::move(selected.selection),

@@ -25,22 +25,26 @@ struct CauseEstimate {
   SizeInterval size;
 };
 
+/// Where a Sigma is taken: it grows with predictions, and the forms of active mechanisms have
+/// slack.
+struct SigmaPoint {
+  Parameters at;
+  std::vector<int> active;
+};
+
 struct Diagnosis {
   ErrorModel errors; ///< at the calibrated baseline, under which the tests were made
   Fit baseline;      ///< under that
   MisfitTests tests;
   std::vector<Detectable> detectable;   ///< in the model's order
   Comparison comparison;                ///< under the common Sigma of the selection
+  SigmaPoint sigma_at;                  ///< where that Sigma was taken
   Fit baseline_in_common;               ///< under that
   SignatureLibrary library;             ///< under that
   Selection selection;                  ///< empty without an alarm
   std::vector<CauseEstimate> estimates; ///< of the causes of the best hypothesis
   Verdict verdict;
 };
-
-/// The most probable hypothesis that names anything, whose forms have slack in the common Sigma:
-/// under an alarm "none" has none to add. None if nothing else was fitted.
-Fit const& best_fit(Selection const& selection);
 
 /// The whole way: error model, calibrated baseline, tests, selection under a common Sigma that is
 /// computed again at the best hypothesis, intervals, verdict. Causes are looked for only after an

@@ -15,6 +15,7 @@ namespace coupling::diagnosis {
 namespace {
 
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
@@ -35,34 +36,42 @@ void validate(HeldOutRun const& run) {
       fmt::format("{}: holds a value that is no number. Should that row be left out?", run.run));
 }
 
-/// ln of each row's density given the rows before it, without -ln(2 pi) / 2.
-VectorXd log_densities(VectorXd const& measured, HeldOutPrediction const& foretold) {
-  Whitener const whitener(foretold.covariance, Tolerances{}.largest_jitter);
-  VectorXd const z = whitener.whiten(measured - foretold.value);
-  return -0.5 * z.array().square() - whitener.conditional_sd().array().log();
+/// ln N(measured | after) - ln N(measured | before), and what it would scatter by were the run
+/// pressed again and nothing wrong with the model before.
+struct Score {
+  double difference, variance;
+};
+
+/// With y = f_b + L_b e, e white:  2 D = e' (I - M) e - 2 g' e + constant,  M = N' N,
+/// N = L_a^-1 L_b, g = N' L_a^-1 (f_b - f_a);  so  var D = tr (M - I)^2 / 2 + g' g.
+Score score_of(HeldOutRun const& run) {
+  Whitener const before(run.before.covariance, Tolerances{}.largest_jitter);
+  Whitener const after(run.after.covariance, Tolerances{}.largest_jitter);
+  auto const n = run.measured.size();
+  double const chi_squared = before.whiten(run.measured - run.before.value).squaredNorm() -
+                             after.whiten(run.measured - run.after.value).squaredNorm();
+  double const difference =
+      0.5 * (chi_squared + (before.log_determinant() - after.log_determinant()));
+  MatrixXd const N = after.whiten(before.unwhiten(MatrixXd::Identity(n, n)));
+  MatrixXd const apart = N.transpose() * N - MatrixXd::Identity(n, n);
+  VectorXd const g = N.transpose() * after.whiten(run.before.value - run.after.value);
+  return {difference, 0.5 * apart.squaredNorm() + g.squaredNorm()};
 }
 
-/// Standard error of the sum of some numbers that do not know of each other, sqrt(n var).
-double error_of_sum(VectorXd const& of) {
-  auto const n = static_cast<double>(of.size());
-  return std::sqrt(n * (of.array() - of.mean()).square().sum() / (n - 1.0));
-}
-
-/// Differences of the log densities, summed, and their standard error.
-void add_score(std::vector<HeldOutRun> const& runs, Gain& gain) {
-  VectorXd of_rows, of_runs(static_cast<Index>(runs.size()));
+void add_scores(std::vector<HeldOutRun> const& runs, Gain& gain) {
+  double variance = 0.0;
+  VectorXd of_runs(static_cast<Index>(runs.size()));
   for (std::size_t k = 0; k < runs.size(); ++k) {
-    VectorXd const change = log_densities(runs[k].measured, runs[k].after) -
-                            log_densities(runs[k].measured, runs[k].before);
-    of_rows.conservativeResize(of_rows.size() + change.size());
-    of_rows.tail(change.size()) = change;
-    of_runs[static_cast<Index>(k)] = change.sum();
+    auto const score = score_of(runs[k]);
+    of_runs[static_cast<Index>(k)] = score.difference;
+    variance += score.variance;
   }
+  auto const n = static_cast<double>(runs.size());
   gain.elpd_difference = of_runs.sum();
-  gain.elpd_error =
-      of_rows.size() < 2 ? std::numeric_limits<double>::infinity() : error_of_sum(of_rows);
   if (runs.size() >= fewest_runs)
-    gain.elpd_error = std::max(gain.elpd_error, error_of_sum(of_runs));
+    variance =
+        std::max(variance, n / (n - 1.0) * (of_runs.array() - of_runs.mean()).square().sum());
+  gain.elpd_error = std::sqrt(variance);
 }
 
 /// Sums over the rows of one run and channel.
@@ -146,7 +155,7 @@ Gain measure_gain(std::vector<HeldOutRun> const& runs, GainSettings const& setti
       if (std::ranges::count(channels, channel) == 0)
         channels.push_back(channel);
   }
-  add_score(runs, gain);
+  add_scores(runs, gain);
   channels.emplace_back(); // all
   for (auto const& channel : channels)
     gain.channels.push_back(gain_of(runs, channel, settings));

@@ -32,9 +32,10 @@ struct ChannelGain {
 struct Gain {
   std::vector<ChannelGain> channels; ///< in the order of their first rows, then "all"
   double elpd_difference; ///< sum over runs of ln N(measured | after) - ln N(measured | before)
-  /// Its standard error, sqrt(n var) of what the rows add, each given those of its run before it
-  /// (they do not know of each other then); that of the runs where there are three and it is
-  /// larger. Two runs say nothing of how runs scatter: one presses further, the other faster.
+  /// What it would scatter by were these runs pressed again and nothing wrong with the model
+  /// before: a gain far beyond that is no chance. sqrt(n var) of the runs where there are three and
+  /// that is larger. (Two runs do not tell how runs scatter: one presses further, the other
+  /// faster.)
   double elpd_error;
 };
 

@@ -45,8 +45,8 @@ SignatureLibrary widened(SignatureLibrary const& library, Fit const& baseline,
       TangentSpace(below(baseline.slopes, extra.calibrated)), library.signatures, {}};
   for (std::size_t j = 0; j < wide.signatures.size(); ++j) {
     auto const& measured = library.signatures[j].whitened;
-    MatrixXd const rows = below(
-        measured, extra.effects.col(static_cast<Index>(j)).replicate(1, measured.cols()));
+    MatrixXd const rows =
+        below(measured, extra.effects.col(static_cast<Index>(j)).replicate(1, measured.cols()));
     wide.signatures[j].whitened = rows;
     wide.signatures[j].projected = wide.tangent.project(rows);
   }

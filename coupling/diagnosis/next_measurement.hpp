@@ -25,8 +25,8 @@ struct CandidateMeasurement {
       calibrated{}; ///< change by one prior sd of each calibrated parameter, n x n_calibrated
   Eigen::MatrixXd effects{};    ///< change by one prior scale of each mechanism, n x n_mechanisms
   Eigen::MatrixXd covariance{}; ///< of its rows, all errors, n x n
-  /// L^-1 times the covariance of the measured rows with its own, n_measured x n: the simulator errs
-  /// alike in both, and what was measured tells how. Empty: they share no error.
+  /// L^-1 times the covariance of the measured rows with its own, n_measured x n: the simulator
+  /// errs alike in both, and what was measured tells how. Empty: they share no error.
   Eigen::MatrixXd shared{};
 };
 

@@ -55,11 +55,7 @@ Eigen::MatrixXd Whitener::unwhiten(Eigen::MatrixXd const& rows) const {
 }
 
 double Whitener::log_determinant() const {
-  return 2.0 * conditional_sd().array().log().sum();
-}
-
-Eigen::VectorXd Whitener::conditional_sd() const {
-  return lower_.diagonal();
+  return 2.0 * lower_.diagonal().array().log().sum();
 }
 
 } // namespace coupling::diagnosis

@@ -17,7 +17,6 @@ public:
   Eigen::MatrixXd whiten(Eigen::MatrixXd const& rows) const;   ///< L^-1 x, n x k
   Eigen::MatrixXd unwhiten(Eigen::MatrixXd const& rows) const; ///< L x
   double log_determinant() const;                              ///< ln det(L L')
-  Eigen::VectorXd conditional_sd() const;   ///< diag(L): of each row, given those before it, [n]
   double jitter() const { return jitter_; } ///< share of each variance, 0 if none was needed
   Eigen::Index size() const { return lower_.rows(); }
 

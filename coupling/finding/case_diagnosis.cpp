@@ -111,10 +111,9 @@ Finding CaseDiagnosis::finding() const {
   if (auto const possible = possible_causes(found_); possible.size() > 1)
     parts.advice = next_measurements(
         baseline, found_.library, possible,
-        measurement_catalogue(
-            model_, question_.simulated,
-            {question_.data, rows_, found_.comparison.whitener, best_fit(found_.selection)},
-            baseline.at));
+        measurement_catalogue(model_, question_.simulated,
+                              {question_.data, rows_, found_.comparison.whitener, found_.sigma_at},
+                              baseline.at));
   if (found_.verdict.kind == VerdictKind::unknown || found_.verdict.is_incomplete)
     parts.unexplained = describe_unexplained(
         observations_, found_.comparison, found_.library, found_.tests, baseline.predicted,

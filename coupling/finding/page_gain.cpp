@@ -47,11 +47,10 @@ TableRow gain_row(Finding const& finding, ChannelGained const& one) {
 std::string score_in_words(std::string_view who, MeasuredGain const& gain) {
   if (!std::isfinite(gain.elpd_difference))
     return "";
-  std::string const error = std::isfinite(gain.elpd_error)
-                                ? fmt::format(" ± {:.3g}", gain.elpd_error)
-                                : " (one reading alone has no error)";
-  return fmt::format("{}: ln of the held-out density rises by {:.4g}{}. ", who,
-                     gain.elpd_difference, error);
+  return fmt::format(
+      "{}: ln of the held-out density rises by {:.4g} (by chance it would scatter by "
+      "{:.3g}). ",
+      who, gain.elpd_difference, gain.elpd_error);
 }
 
 std::string causes_in_words(MeasuredGain const& gain) {

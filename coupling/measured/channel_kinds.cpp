@@ -17,7 +17,8 @@ std::span<QuantityKind const> scalar_kinds() {
   static constexpr QuantityKind kinds[] = {
       {"compact_height", Physical::length},   {"compact_mass", Physical::mass},
       {"compact_diameter", Physical::length}, {"porosity", Physical::ratio},
-      {"max_force", Physical::force},         {"ejection_force", Physical::force}};
+      {"max_force", Physical::force},         {"ejection_force", Physical::force},
+      {"gap_at_peak", Physical::length},      {"dead_weight", Physical::force}};
   return kinds;
 }
 

@@ -208,11 +208,10 @@ void add_covariances(Proposal const& proposal, Pressing const& pressing, PressMo
   auto const model = of.with_plan(plan);
   auto blocks = measured.rows.blocks;
   blocks.insert(blocks.end(), pressing.blocks.begin(), pressing.blocks.end());
-  auto const all =
-      error_model(diagnosis::Observations(blocks), model,
-                  errors_with(proposal, model, simulated, measured.rows.channels),
-                  measured.best.at, measured.best.active)
-          .covariance;
+  auto const all = error_model(diagnosis::Observations(blocks), model,
+                               errors_with(proposal, model, simulated, measured.rows.channels),
+                               measured.at.at, measured.at.active)
+                       .covariance;
   auto const n = result.baseline.size();
   result.covariance = all.bottomRightCorner(n, n);
   result.shared = measured.whitener.whiten(all.topRightCorner(all.rows() - n, n));

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "coupling/diagnosis/diagnose.hpp"
 #include "coupling/diagnosis/next_measurement.hpp"
-#include "coupling/diagnosis/fit.hpp"
 #include "coupling/reduced/error_sources.hpp"
 #include "coupling/reduced/measured_plan.hpp"
 
@@ -12,7 +12,7 @@ struct Measured {
   measured::MeasuredData const& data;
   MeasuredRows const& rows;
   diagnosis::Whitener const& whitener; ///< of the rows' Sigma
-  diagnosis::Fit const& best;          ///< whose causes' forms have slack in it
+  diagnosis::SigmaPoint const& at;     ///< where that was taken
 };
 
 /// What a laboratory with this press could measure next, foretold at a fitted baseline: gauges that

@@ -1,6 +1,7 @@
 #include "tests/diagnosis/hide/case_files.hpp"
 
 #include "tests/diagnosis/hide/detectability.hpp"
+#include "tests/diagnosis/hide/extras.hpp"
 #include "tests/diagnosis/hide/readings.hpp"
 
 #include <fmt/format.h>
@@ -153,6 +154,8 @@ void write_case(Case const& of, std::filesystem::path const& folder, Foretold fo
     auto const cycle = press_cycle(of.powder, of.effects(), run.protocol, run.repeat);
     auto const readings = read_cycle(cycle, run.protocol, of.seed, k);
     json["runs"].push_back(described(run, readings, of.observables));
+    if (auto const one = measured_number(of, k, cycle); !one.name.empty() && !run.is_held_out)
+      json["runs"].back()["scalars"][one.name] = quantity(one.value, one.sd, one.unit);
     write(folder / "data" / run.file, csv(readings, has_all_gauges(of.observables)));
   }
   write(folder / "data" / "measured.json", json.dump(2) + "\n");

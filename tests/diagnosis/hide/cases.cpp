@@ -75,6 +75,21 @@ Repeat draw_repeat(std::uint64_t seed, std::uint64_t run) {
   return repeat;
 }
 
+PlannedRun pressing_of(Extra extra, PlannedRun run) {
+  auto& press = run.protocol;
+  if (extra == Extra::dwell_60)
+    press.dwell = 60.0;
+  if (extra == Extra::dwell_600)
+    press.dwell = 600.0;
+  if (extra == Extra::fast)
+    press.speed_down *= 25.0;
+  if (extra == Extra::slow)
+    press.speed_down *= 0.2;
+  if (extra == Extra::wider)
+    press.end_gap *= 1.05;
+  return run;
+}
+
 void refuse(Wish const& wish, HiddenEffect const& hidden) {
   auto const& kind = kind_of(hidden.effect);
   double const least = least_size(hidden.effect), largest = largest_size(hidden.effect);
@@ -148,7 +163,8 @@ Case draw_case(Wish const& wish) {
               .observables = wish.observables,
               .powder = draw_powder(wish.seed),
               .hidden = {},
-              .runs = planned_runs(wish.observables)};
+              .runs = planned_runs(wish.observables),
+              .extra = wish.extra};
   for (auto const cause : draw_causes(wish)) {
     auto const place = result.hidden.size();
     double const size = wish.size && place == 0 ? *wish.size : draw_size(wish, cause, place);
@@ -159,6 +175,8 @@ Case draw_case(Wish const& wish) {
   auto& runs = result.runs;
   for (std::size_t k = runs.size(); k-- > 1;)
     std::swap(runs[k], runs[static_cast<std::size_t>(order.below(static_cast<int>(k) + 1))]);
+  if (is_pressing(wish.extra)) // the last, so that it moves no draw of the others
+    runs.push_back(pressing_of(wish.extra, planned_runs(wish.observables).front()));
   for (std::size_t k = 0; k < runs.size(); ++k) {
     runs[k].repeat = draw_repeat(wish.seed, k);
     runs[k].file = fmt::format("run{}.csv", k + 1);

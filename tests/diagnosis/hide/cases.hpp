@@ -17,6 +17,26 @@ enum class CaseClass { clean, single, couple, unknown };
 ///   F  upper force and height, five runs                     G  all gauges, five runs
 enum class Observables { A, D, E, F, G };
 
+/// One more thing that is measured, beside the set: a number of the fitted pressings, or one more
+/// pressing.
+enum class Extra {
+  nothing,
+  compact_height,   ///< by a caliper
+  compact_mass,     ///< by a balance
+  compact_diameter, ///< by a bore gauge, where the bed was pressed
+  gap_at_peak,      ///< by a gauge between the faces
+  dead_weight,      ///< what the cell shows of 10 kN
+  dwell_60,
+  dwell_600, ///< [s]
+  fast,      ///< 25 times the speed
+  slow,      ///< a fifth of it
+  wider      ///< an end gap 5 % larger
+};
+/// @throws std::invalid_argument for a name that is none
+Extra extra_named(std::string_view name);
+/// Whether it is a pressing of its own.
+bool is_pressing(Extra extra);
+
 struct HiddenEffect {
   Effect effect;
   double size; ///< [unit of its kind]
@@ -30,6 +50,7 @@ struct Wish {
   std::vector<Effect> causes = {};
   std::optional<double> size = {};          ///< of the first cause [its unit]
   std::optional<double> relative_size = {}; ///< of all, in prior sizes
+  Extra extra = Extra::nothing;
 };
 
 struct PlannedRun {
@@ -47,6 +68,7 @@ struct Case {
   Powder powder;
   std::vector<HiddenEffect> hidden;
   std::vector<PlannedRun> runs; ///< in the order of the files
+  Extra extra = Extra::nothing;
   Effects effects() const;
 };
 

@@ -17,6 +17,7 @@ enum class Purpose : std::uint64_t {
   clock,
   noise,
   simulation,
+  extra,
 };
 
 /// Counter-based stream of random numbers. The mixer is splitmix64's (Steele, Lea & Flood,

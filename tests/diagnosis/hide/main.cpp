@@ -14,7 +14,7 @@ namespace {
 constexpr std::string_view usage =
     "usage: hide --seed N --class clean|single|double|unknown [--cause NAME]... [--size X |\n"
     "            --relative-size R | --lambda L] [--observables A|D|E|F|G]\n"
-    "            [--foretell nothing|lambda|separation] -o DIR\n";
+    "            [--also MEASUREMENT] [--foretell nothing|lambda|separation] -o DIR\n";
 
 template <class Number> Number number(std::string_view option, std::string_view text) {
   Number value{};
@@ -56,6 +56,8 @@ void take(Order& order, std::string_view option, std::string_view value) {
     wish.relative_size = number<double>(option, value);
   else if (option == "--observables")
     wish.observables = hidden::observables_named(value);
+  else if (option == "--also")
+    wish.extra = hidden::extra_named(value);
   else if (option == "--lambda")
     order.lambda = number<double>(option, value);
   else if (option == "--foretell")

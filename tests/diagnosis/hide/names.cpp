@@ -11,6 +11,11 @@ namespace {
 constexpr std::array<std::string_view, 4> classes = {"clean", "single", "double", "unknown"};
 constexpr std::array<std::string_view, 5> sets = {"A", "D", "E", "F", "G"};
 
+constexpr std::array<std::string_view, 11> extras = {
+    "nothing",     "compact_height", "compact_mass", "compact_diameter",
+    "gap_at_peak", "dead_weight",    "dwell_60",     "dwell_600",
+    "fast",        "slow",           "wider"};
+
 template <class Value, std::size_t n>
 Value named(std::array<std::string_view, n> const& names, std::string_view name,
             std::string_view what) {
@@ -28,6 +33,12 @@ CaseClass class_named(std::string_view name) {
 }
 Observables observables_named(std::string_view name) {
   return named<Observables>(sets, name, "observables");
+}
+Extra extra_named(std::string_view name) {
+  return named<Extra>(extras, name, "measurement");
+}
+bool is_pressing(Extra extra) {
+  return extra >= Extra::dwell_60;
 }
 std::string_view name_of(CaseClass kind) {
   return classes[static_cast<std::size_t>(kind)];

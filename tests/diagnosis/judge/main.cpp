@@ -1,4 +1,4 @@
-#include "tests/diagnosis/judge/bars.hpp"
+#include "tests/diagnosis/judge/advice.hpp"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -24,11 +24,16 @@ int main(int argc, char** argv) {
   CLI::App app("Holds the bars of the diagnosis note against diagnoses of hidden effects.",
                "judge");
   std::filesystem::path folder;
-  bool lists = false;
+  bool lists = false, asks = false, was_advised = false;
   double level = judging::usual_level;
   app.add_option("FOLDER", folder, "with NAME/sealed/truth.json and NAME/diagnosis/diagnosis.json")
       ->required();
   app.add_flag("--cases", lists, "a line a case: what was hidden, what was answered");
+  auto* const asked = app.add_flag(
+      "--advised", asks,
+      "cases with a recommended measurement: NAME SEED OBSERVABLES CAUSE SIZE MEASUREMENT");
+  app.add_flag("--next", was_advised, "they were measured once more, as recommended: B8 alone")
+      ->excludes(asked);
   app.add_option("--level", level, "of each bar's binomial test")->check(CLI::Range(1e-12, 0.5));
   try {
     app.parse(argc, argv);
@@ -36,10 +41,18 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : 2;
   }
   try {
+    if (asks) {
+      for (auto const& one : judging::advised_cases(folder))
+        fmt::print("{} {} {} {} {} {}\n", one.name, one.seed, one.observables, one.cause, one.size,
+                   one.measurement);
+      return 0;
+    }
     auto const cases = judging::read_cases(folder);
     if (lists)
       list(cases);
-    return judging::print(judging::hold_bars(cases, level)) ? 0 : 1;
+    auto const results = was_advised ? std::vector{judging::hold_advice(cases, level)}
+                                     : judging::hold_bars(cases, level);
+    return judging::print(results) ? 0 : 1;
   } catch (std::exception const& error) {
     fmt::print(stderr, "judge: {}\n", error.what());
     return 2;

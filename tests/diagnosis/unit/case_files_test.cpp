@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -61,6 +62,47 @@ TEST_F(HiddenCase, DiffersFromTheCleanOneByItsEffectOnly) {
   none.causes = {Effect::frame_compliance};
   EXPECT_EQ(data_of(write(draw_case(none), "a")),
             data_of(write(draw_case(wish(7, CaseClass::clean)), "b")));
+}
+
+/// What is measured beside a set changes nothing in it.
+TEST_F(HiddenCase, IsMeasuredOnceMore) {
+  auto more = wish(6);
+  more.causes = {Effect::mass_error};
+  more.size = 0.02;
+  auto const plain = draw_case(more);
+  write(plain, "plain");
+  auto const data = nlohmann::json::parse(bytes_of(scratch_ / "plain/data/measured.json"));
+  auto const again = [&](char const* name) {
+    more.extra = extra_named(name);
+    auto const folder = write(draw_case(more), name);
+    for (auto const* run : {"run1.csv", "run2.csv", "run3.csv"})
+      EXPECT_EQ(bytes_of(folder / "data" / run), bytes_of(scratch_ / "plain/data" / run));
+    return nlohmann::json::parse(bytes_of(folder / "data/measured.json"));
+  };
+  auto const number = [&](char const* name) {
+    std::vector<double> all;
+    auto const found = again(name);
+    for (auto const& run : found["runs"])
+      if (run["scalars"].contains(name) && run["role"] == "fit")
+        all.push_back(run["scalars"][name]["value"]);
+    EXPECT_EQ(all.size(), 1u) << name;
+    return all.at(0);
+  };
+  auto const fitted = std::ranges::find(plain.runs, false, &PlannedRun::is_held_out);
+  EXPECT_NEAR(number("compact_mass"),
+              stated_mass * (1.0 + fitted->repeat.mass) *
+                  (1.0 + 0.02 * (1.0 + fitted->repeat.mass_error)),
+              25e-6);
+  EXPECT_NEAR(number("compact_diameter"), stated_bore, 25e-6);
+  EXPECT_NEAR(number("gap_at_peak"), 8e-3, 60e-6); // zeros of 8 um
+  EXPECT_NEAR(number("dead_weight"), 10e3, 60.0);
+  auto const fast = again("fast");
+  ASSERT_EQ(fast["runs"].size(), data["runs"].size() + 1);
+  EXPECT_EQ(fast["runs"].back()["role"], "fit");
+  EXPECT_EQ(fast["runs"].back()["press"]["speed_down"].get<double>(), 25.0 * mm / 60.0);
+  EXPECT_EQ(again("dwell_60")["runs"].back()["press"]["dwell"].get<double>(), 60.0);
+  EXPECT_EQ(again("wider")["runs"].back()["press"]["end_gap"].get<double>(), 1.05 * (8.0 * mm));
+  EXPECT_THROW((void)extra_named("weight"), std::invalid_argument);
 }
 
 TEST_F(HiddenCase, IsOfTheContractsForm) {

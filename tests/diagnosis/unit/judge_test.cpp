@@ -1,6 +1,6 @@
 #include "tests/diagnosis/broken/broken.hpp"
 #include "tests/diagnosis/hide/case_files.hpp"
-#include "tests/diagnosis/judge/bars.hpp"
+#include "tests/diagnosis/judge/advice.hpp"
 #include "tests/diagnosis/judge/binomial.hpp"
 #include "tests/support/scratch_folder.hpp"
 
@@ -203,6 +203,39 @@ TEST(Bars, HoldCleanDataToTheirLevels) {
   EXPECT_TRUE(counted("B15", clean).second);
   clean.answer.gain = judging::Gain{};
   EXPECT_FALSE(counted("B15", clean).second);
+}
+
+/// Only groups with the cause in them, and advice that will tell and can be followed.
+TEST_F(SmallSet, FollowsAdvice) {
+  for (auto const& name : names())
+    std::filesystem::copy_file(scratch_ / name / "good.json",
+                               scratch_ / name / "diagnosis/diagnosis.json");
+  auto const group = [&](char const* name, std::vector<std::string> const& causes,
+                         char const* measurement, bool is_enough) {
+    auto truth = Json::parse(support::bytes_of(scratch_ / name / "sealed/truth.json"));
+    truth["seed"] = 7;
+    truth["effects"][0]["size"] = 1.0625;
+    std::ofstream(scratch_ / name / "sealed/truth.json") << truth;
+    Json const answer = {{"verdict", "undecided"},
+                         {"group", causes},
+                         {"next_measurement", {{{"name", measurement}, {"enough", is_enough}}}}};
+    std::ofstream(scratch_ / name / "diagnosis/diagnosis.json") << answer;
+  };
+  char const* const balance = "mass of the compact, by balance";
+  group("14", {"mass_error", "missing_fines"}, balance, true); // 14 % 4 = 2, a mass error
+  group("18", {"mass_error", "missing_fines"}, balance, false);
+  group("22", {"mass_error", "missing_fines"}, "radial pressure on the die", true);
+  group("26", {"die_size", "missing_fines"}, balance, true);
+  auto const advised = judging::advised_cases(scratch_.path());
+  ASSERT_EQ(advised.size(), 1u);
+  EXPECT_EQ(advised[0].name, "14");
+  EXPECT_EQ(advised[0].seed, "7");
+  EXPECT_EQ(advised[0].cause, "mass_error");
+  EXPECT_EQ(advised[0].size, "1.0625");
+  EXPECT_EQ(advised[0].measurement, "compact_mass");
+  auto const again = judging::hold_advice(judging::read_cases(scratch_.path()));
+  EXPECT_EQ(again.cases, 40);
+  EXPECT_EQ(again.count, 12); // the sixteen singles less the four groups
 }
 
 TEST_F(SmallSet, PassesAGoodDiagnoser) {

@@ -154,8 +154,8 @@ TEST(NextMeasurement, KnowsErrorsThatTheMeasuredRowsShare) {
     }
     return std::sqrt(least);
   };
-  for (auto const& shared : {VectorXd{{0.0, 0.0, 0.0}}, VectorXd{{0.15, 0.0, 0.0}},
-                             VectorXd{{-0.1, 0.12, 0.0}}})
+  for (auto const& shared :
+       {VectorXd{{0.0, 0.0, 0.0}}, VectorXd{{0.15, 0.0, 0.0}}, VectorXd{{-0.1, 0.12, 0.0}}})
     EXPECT_NEAR(after(shared), slow(shared), 1e-6);
   EXPECT_EQ(after({}), after(MatrixXd::Zero(3, 1)));
 }

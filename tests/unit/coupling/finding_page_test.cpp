@@ -89,7 +89,7 @@ TEST(FindingPage, ShowsTheGainBesideThePlacebo) {
                         "class=\"number\">12 %</td><td class=\"number\">8 % to 17 %</td><td "
                         "class=\"number\">95 %</td><td class=\"number\">71 %</td>"))
       << html;
-  EXPECT_TRUE(has(html, "rises by 341 ± 31"));
+  EXPECT_TRUE(has(html, "rises by 341 (by chance it would scatter by 31)"));
   auto finding = sample::named();
   finding.gain.reset();
   EXPECT_TRUE(has(gain_part(finding), "Not measured: no run was held out"));
