@@ -4,6 +4,9 @@
 #include "coupling/finding/row_inputs.hpp"
 #include "coupling/reduced/measurement_catalogue.hpp"
 
+#include <algorithm>
+#include <stdexcept>
+
 namespace coupling::finding {
 namespace {
 
@@ -53,26 +56,51 @@ ScoredGain CaseDiagnosis::scored(FittedPress const& before, FittedPress const& a
   return gain;
 }
 
-FittedPress CaseDiagnosis::recalibrated(reduced::SimulatedPress const& simulated,
-                                        diagnosis::Parameters const& at) const {
-  // What the simulation has between its grains is off in the emulator.
-  auto start = at;
-  std::vector<int> active;
-  auto const& causes = reduced::known_causes();
-  for (std::size_t j = 0; j < causes.size(); ++j) {
-    auto& size = start.sizes[static_cast<Eigen::Index>(j)];
-    if (causes[j].side == reduced::Side::grains)
-      size = 0.0;
-    else if (size != 0.0)
-      active.push_back(static_cast<int>(j));
-  }
+/// A simulated bed with the machine and the sample that a fit found; what the simulation has
+/// between its grains is its own.
+reduced::Press CaseDiagnosis::in_machine(reduced::SimulatedPress const& simulated,
+                                         diagnosis::Parameters const& at) const {
   auto bed = simulated;
   bed.nominal.machine = question_.simulated.nominal.machine;
   auto press = in_laboratory(bed, question_.data.sample);
+  auto const& causes = reduced::known_causes();
   for (std::size_t j = 0; j < causes.size(); ++j)
-    if (double const size = start.sizes[static_cast<Eigen::Index>(j)]; size != 0.0)
-      causes[j].apply(press, size, start.shapes[j]);
-  reduced::PressModel const model(press, bed.sheet, model_.scatter(), rows_.plan);
+    if (double const size = at.sizes[static_cast<Eigen::Index>(j)];
+        causes[j].side == reduced::Side::machine && size != 0.0)
+      causes[j].apply(press, size, at.shapes[j]);
+  return press;
+}
+
+double CaseDiagnosis::effect_shown(std::string_view cause, reduced::SimulatedPress const& without,
+                                   reduced::SimulatedPress const& with) const {
+  auto const& causes = reduced::known_causes();
+  auto const at = std::ranges::find(causes, cause, [](reduced::Cause const& one) {
+    return std::string_view(one.mechanism.name);
+  });
+  auto const j = static_cast<int>(at - causes.begin());
+  if (named_ == nullptr || std::ranges::find(named_->fit.active, j) == named_->fit.active.end())
+    throw std::out_of_range("effect_shown: the verdict does not name that cause");
+  auto off = named_->fit.at;
+  off.sizes[j] = 0.0;
+  auto const whitened = [&](Eigen::VectorXd const& rows) -> Eigen::VectorXd {
+    return found_.comparison.whitener.whiten(rows);
+  };
+  auto const rows_of = [&](reduced::SimulatedPress const& simulated) {
+    return predict_plan(in_machine(simulated, off), rows_.plan);
+  };
+  Eigen::VectorXd const found = whitened(model_.predict(named_->fit.at) - model_.predict(off));
+  return found.dot(whitened(rows_of(with) - rows_of(without))) / found.squaredNorm();
+}
+
+FittedPress CaseDiagnosis::recalibrated(reduced::SimulatedPress const& simulated,
+                                        diagnosis::Parameters const& at) const {
+  std::vector<int> active;
+  auto const& causes = reduced::known_causes();
+  for (std::size_t j = 0; j < causes.size(); ++j)
+    if (causes[j].side == reduced::Side::machine && at.sizes[static_cast<Eigen::Index>(j)] != 0.0)
+      active.push_back(static_cast<int>(j));
+  reduced::PressModel const model(in_machine(simulated, at), simulated.sheet, model_.scatter(),
+                                  rows_.plan);
   auto const errors = error_model(observations_, model, sources_, nominal_parameters(model), {});
   diagnosis::Comparison const comparison{
       &model, observations_.values() - errors.bias,

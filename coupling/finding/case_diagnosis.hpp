@@ -29,6 +29,12 @@ public:
   Finding finding() const;
   /// Whether a cause is named and held-out runs are there to show its worth.
   bool can_gain() const { return named_ != nullptr && !held_out_.empty(); }
+  /// Effect of a named cause as simulations without and with it show it, over the one that was
+  /// found:  e . s / e . e,  e = L^-1 (f(a) - f(0)) of the emulator, s = L^-1 (f_with - f_without)
+  /// of the simulated beds in the laboratory's machine, over the fitted rows.
+  /// @throws std::out_of_range for a cause that is not named
+  double effect_shown(std::string_view cause, reduced::SimulatedPress const& without,
+                      reduced::SimulatedPress const& with) const;
   /// Gains with simulations of the calibrated and the extended case in the place of the emulator's
   /// own extrapolation: what lies between grains is theirs, machine, mass and die are exact, and E
   /// and cohesion are calibrated once more against the fitted runs.
@@ -36,6 +42,8 @@ public:
                          reduced::SimulatedPress const& extended);
 
 private:
+  reduced::Press in_machine(reduced::SimulatedPress const& simulated,
+                            diagnosis::Parameters const& at) const;
   FittedPress calibrated_press() const;
   FittedPress extended_press(diagnosis::Hypothesis const& by) const;
   FittedPress recalibrated(reduced::SimulatedPress const& simulated,

@@ -1,6 +1,7 @@
 #include "coupling/finding/cause_entries.hpp"
 
 #include "coupling/case_schema.hpp"
+#include "coupling/finding/dosed_entries.hpp"
 
 #include <fmt/format.h>
 
@@ -31,13 +32,8 @@ CauseEntries obstacle(std::string sentence) {
   return {.obstacle = std::move(sentence)};
 }
 
-/// An entry in SI, as the case file writes it.
-EntryChange entry(std::string const& path, double value) {
-  return {path, print_quantity(value, find_entry(path)->physical)};
-}
-
 CauseEntries change(std::string const& path, double value) {
-  return {.changes = {entry(path, value)}};
+  return {.changes = {entry_change(path, value)}};
 }
 
 /// Every component has its own Young's modulus; absent components have none.
@@ -52,7 +48,7 @@ CauseEntries scaled_modulus(Case const& setup, double factor) {
         std::string::npos)
       continue;
     double const modulus = setup.powder.components[next++].material.young_modulus;
-    entries.changes.push_back(entry(at + "Young's modulus", factor * modulus));
+    entries.changes.push_back(entry_change(at + "Young's modulus", factor * modulus));
   }
   return entries;
 }
@@ -65,8 +61,8 @@ CauseEntries scaled_cohesion(Case const& setup, double factor) {
        {std::pair("Contact/Particle-particle/", setup.contacts.grain_grain),
         std::pair("Contact/Particle-wall/", setup.contacts.grain_wall)})
     if (pair.cohesion_energy_density > 0.0)
-      entries.changes.push_back(entry(std::string(section) + "Cohesion energy density",
-                                      factor * pair.cohesion_energy_density));
+      entries.changes.push_back(entry_change(std::string(section) + "Cohesion energy density",
+                                             factor * pair.cohesion_energy_density));
   if (entries.changes.empty())
     return obstacle("the case has no cohesion that could be scaled. Set a Cohesion energy density "
                     "first?");
@@ -81,43 +77,10 @@ CauseEntries frame_entries_of(Asked const& asked) {
   auto entries = change("Press frame/Stiffness", 1.0 / compliance);
   double const seating = asked.parameter("seating"), force = asked.parameter("seating_force");
   if (seating > 0.0 && force > 0.0) {
-    entries.changes.push_back(entry("Press frame/Seating", seating));
-    entries.changes.push_back(entry("Press frame/Seating force", force));
+    entries.changes.push_back(entry_change("Press frame/Seating", seating));
+    entries.changes.push_back(entry_change("Press frame/Seating force", force));
   }
   return entries;
-}
-
-/// s in 1 - 3/2 s + s^3/2 = share, for a share from 0 to 1: falling from 1 at s = 0 to 0 at s = 1.
-double root_of_share(double share) {
-  double low = 0.0, high = 1.0;
-  for (int k = 0; k < 60; ++k) {
-    double const s = 0.5 * (low + high);
-    (1.0 - 1.5 * s + 0.5 * s * s * s > share ? low : high) = s;
-  }
-  return 0.5 * (low + high);
-}
-
-CauseEntries plastic_entries_of(Asked const& asked) {
-  double pressure = asked.parameter("yield_pressure");
-  if (!(pressure > 0.0)) {
-    double const overlap = asked.facts.relative_overlap;
-    if (!(overlap > 0.0))
-      return obstacle("the overlap of the contacts at full load is not known, from which the Yield "
-                      "pressure follows. Run the case first?");
-    if (!(asked.size() > 0.0 && asked.size() < 1.0))
-      return obstacle("a share of yielding is between 0 and 1. Is something else the cause?");
-    auto const& grain = asked.setup.powder.components.front().material;
-    double const effective =
-        0.5 * grain.young_modulus / (1.0 - grain.poisson_ratio * grain.poisson_ratio);
-    pressure =
-        2.0 * effective / std::numbers::pi * root_of_share(asked.size()) * std::sqrt(overlap);
-  }
-  auto const& law = asked.setup.contacts.law;
-  return {.changes = {{"Contact/Preset", "custom"},
-                      {"Contact/Normal law", "thornton_ning"},
-                      {"Contact/Cohesion law", law.cohesion},
-                      {"Contact/Tangential law", law.tangential},
-                      entry("Contact/Yield pressure", pressure)}};
 }
 
 CauseEntries rate_entries_of(Asked const& asked) {
@@ -148,19 +111,15 @@ CauseEntries die_entries_of(Asked const& asked) {
   return entries;
 }
 
-/// What the simulator has a block for, and nobody knows how far that goes.
-auto no_measure(std::string entry) {
-  return [entry = std::move(entry)](Asked const&) {
-    return obstacle("how much of the entry " + entry +
-                    " makes an effect of this size is not known. Try values of it by hand?");
-  };
-}
-
-/// In the quick case b = 0.3 gives the stress that the emulator has at a = 1.
-CauseEntries multi_contact_entries_of(Asked const& asked) {
-  constexpr double coefficient_for_one = 0.3;
-  return change("Contact/Multi-contact coefficient",
-                asked.setup.contacts.law.multi_contact + coefficient_for_one * asked.size());
+CauseEntries entries_of(DosedCause const& dosed, FoundCause const& cause, BedFacts const& facts) {
+  if (!dosed.obstacle.empty())
+    return obstacle(dosed.obstacle);
+  auto const shown = facts.doses.find(cause.name);
+  return shown == facts.doses.end()
+             ? CauseEntries{.changes = dosed.entries(dosed.dose.guess),
+                            .remark = "a first guess, which no simulation has tried"}
+             : CauseEntries{.changes = dosed.entries(shown->second.dose),
+                            .remark = shown->second.remark};
 }
 
 using EntriesOf = std::function<CauseEntries(Asked const&)>;
@@ -205,28 +164,28 @@ std::map<std::string, EntriesOf, std::less<>> const& table() {
        [](Asked const& asked) { return scaled_modulus(asked.setup, 1.0 + asked.size()); }},
       {"cohesion",
        [](Asked const& asked) { return scaled_cohesion(asked.setup, 1.0 + asked.size()); }},
-      {"plastic_contacts", plastic_entries_of},
       {"rate_dependence", rate_entries_of},
       {"die_compliance", die_entries_of},
       {"punch_tilt",
        added("Tooling/Punch tilt", [](Case const& c) { return c.tooling.punch_tilt; })},
-      {"multi_contact", multi_contact_entries_of},
-      // Their blocks are there; how far each goes for a size is not measured yet.
-      {"breakage", no_measure("Breakage/Strength")},
-      {"missing_fines", no_measure("Powder/Added fines/Share")},
-      {"fill_state", no_measure("Powder/Fill state")},
   };
   return all;
 }
 
 } // namespace
 
+EntryChange entry_change(std::string const& path, double value) {
+  return {path, print_quantity(value, find_entry(path)->physical)};
+}
+
 CauseEntries case_entries_of(FoundCause const& cause, Case const& setup, BedFacts const& facts) {
+  if (!std::isfinite(cause.size()))
+    return obstacle("its size is not known");
+  if (auto const dosed = dosed_cause(cause, setup, facts))
+    return entries_of(*dosed, cause, facts);
   auto const found = table().find(cause.name);
   if (found == table().end())
     return obstacle("no entry of a case is known for it");
-  if (!std::isfinite(cause.size()))
-    return obstacle("its size is not known");
   return found->second({cause, setup, facts});
 }
 

@@ -37,7 +37,8 @@ public:
       overrides.push_back(one.path + "=" + one.text);
     try {
       Case next = parse_case(now_.resolved_text, now_.file, overrides);
-      note(values_of(now_.resolved_text), values_of(next.resolved_text), entries, because);
+      note(values_of(now_.resolved_text), values_of(next.resolved_text), entries,
+           entries.remark.empty() ? because : because + "; " + entries.remark);
       now_ = std::move(next);
     } catch (dem::InvalidInput const& refusal) {
       // "--set" is how the entry came there, which nobody needs to know.
