@@ -196,23 +196,29 @@ void validate(BedLaw const& law) {
            "largest stress?");
 }
 
-BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height) {
-  double const phi = bed.solid_area / height;
-  double const most = bed.solid_area / std::min(height, smallest_height);
-  auto const turn = first_loading(law, most);
-  double const beyond = most - turn.onset;
-  double const g = way_left(law, phi, most, turn.onset);
+BedForces bed_forces(BedLaw const& law, Bed const& bed, BedState const& state) {
+  auto const turn = first_loading(law, state.most);
+  double const beyond = state.most - turn.onset;
+  double const g = way_left(law, state.solid_fraction, state.most, turn.onset);
   double const stress = turn.stress * stress_share(law, g);
   double const closed = law.radial_ratio * or_one(law.radial_loading, beyond) * turn.stress;
   double const radial = closed * radial_share(law, g);
   double const area = 0.25 * dem::pi * bed.bore * bed.bore;
   double const mu = law.wall_friction * or_one(law.wall_loading, beyond);
   double const wall =
-      turned(law, height - smallest_height, closed) * mu * radial * dem::pi * bed.bore * height;
+      turned(law, state.opened, closed) * mu * radial * dem::pi * bed.bore * state.height;
   double const carried = std::clamp(0.5 * wall, -area * stress, area * stress);
   return {.upper = area * stress + carried,
           .lower = area * stress - carried,
           .radial_pressure = radial};
+}
+
+BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height) {
+  return bed_forces(law, bed,
+                    {.height = height,
+                     .opened = height - smallest_height,
+                     .solid_fraction = bed.solid_area / height,
+                     .most = bed.solid_area / std::min(height, smallest_height)});
 }
 
 FreeCompact free_compact(BedLaw const& law, Bed const& bed, double smallest_height) {

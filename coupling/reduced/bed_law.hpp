@@ -115,6 +115,14 @@ struct BedForces {
   double radial_pressure = 0.0;    ///< [Pa]
 };
 
+/// What a bed has come to.
+struct BedState {
+  double height;               ///< h [m]
+  double opened;               ///< h - h_m [m]
+  double solid_fraction, most; ///< phi, phi_m >= phi
+};
+BedForces bed_forces(BedLaw const& law, Bed const& bed, BedState const& state);
+
 /// Forces at the height h when the smallest height so far is h_m <= h.
 BedForces bed_forces(BedLaw const& law, Bed const& bed, double height, double smallest_height);
 

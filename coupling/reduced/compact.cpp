@@ -29,7 +29,8 @@ struct Number {
 };
 
 FreeCompact compact_of(Press const& press, std::vector<ChainReading> const& cycle) {
-  return free_compact(press.pressed.law, press.pressed.bed, smallest_height(cycle));
+  auto const& pressed = press.pressed;
+  return free_compact(pressed.law, pressed.bed, narrow_height(pressed, smallest_height(cycle)));
 }
 
 constexpr Number numbers[] = {

@@ -2,22 +2,45 @@
 
 #include "dem/vec3.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace coupling::reduced {
 namespace {
 
-/// The same solid in another bore.
-Bed in_bore(Bed const& bed, double bore) {
-  double const ratio = bed.bore / bore;
-  return {.solid_area = bed.solid_area * ratio * ratio, .bore = bore};
+constexpr int n_rounds = 3;
+
+/// Solid fraction in the bore as wide as a radial pressure makes it.
+double solid_fraction(PressedBed const& pressed, double height, double radial_pressure) {
+  double const ratio = 1.0 + pressed.die_yield * radial_pressure / pressed.bed.bore;
+  return pressed.bed.solid_area / (height * ratio * ratio);
+}
+
+/// Where first loading has come to at a height.
+BedState loaded_to(PressedBed const& pressed, double height) {
+  double const stiff = pressed.bed.solid_area / height;
+  BedState turn{.height = height, .opened = 0.0, .solid_fraction = stiff, .most = stiff};
+  for (int round = 0; round < n_rounds && pressed.die_yield != 0.0; ++round) {
+    auto const found = bed_forces(pressed.law, pressed.bed, turn);
+    turn.solid_fraction = turn.most = solid_fraction(pressed, height, found.radial_pressure);
+  }
+  return turn;
 }
 
 BedForces in_yielding_die(PressedBed const& pressed, double height, double smallest_height) {
-  auto found = bed_forces(pressed.law, pressed.bed, height, smallest_height);
-  for (int round = 0; round < 2 && pressed.die_yield != 0.0; ++round) {
-    double const bore = pressed.bed.bore + pressed.die_yield * found.radial_pressure;
-    found = bed_forces(pressed.law, in_bore(pressed.bed, bore), height, smallest_height);
+  auto const& [law, bed] = std::tie(pressed.law, pressed.bed);
+  if (pressed.die_yield == 0.0)
+    return bed_forces(law, bed, height, smallest_height);
+  auto state = loaded_to(pressed, std::min(height, smallest_height));
+  auto found = bed_forces(law, bed, state);
+  state.height = height;
+  state.opened = height - smallest_height;
+  // The bore closes as the bed opens, and holds it together.
+  for (int round = 0; round < n_rounds && state.opened > 0.0; ++round) {
+    double const now = solid_fraction(pressed, height, found.radial_pressure);
+    state.solid_fraction = std::min(now, state.most);
+    found = bed_forces(law, bed, state);
   }
   return found;
 }
@@ -33,6 +56,10 @@ double rate_factor(RateLaw const& law, PressMoment const& moment, double height)
   double const kept = moment.opening_speed > 0.0 ? std::exp(-moment.opened / law.turning) : 1.0;
   double const turned = term(moment.opening_speed / height);
   return 1.0 + law.gain * (kept * term(left) - (1.0 - kept) * turned);
+}
+
+double narrow_height(PressedBed const& pressed, double smallest_height) {
+  return pressed.bed.solid_area / loaded_to(pressed, smallest_height).most;
 }
 
 BedForces forces(PressedBed const& pressed, double height, double smallest_height,

@@ -38,9 +38,13 @@ double rate_factor(RateLaw const& law, PressMoment const& moment, double height)
 
 /// Forces at the height h in the middle when the smallest height so far is h_m <= h.
 /// Tilt: the mean over the face, each strip pressed on its own: a disc's mean over x = cos(theta)
-/// by Gauss-Chebyshev points of the second kind. Die: the bore D + a p(D), two rounds of
-/// substitution.
+/// by Gauss-Chebyshev points of the second kind. Die: the powder fills the bore D + a p, at the
+/// turn as at h, by rounds of substitution; the punches' faces stay as wide as D.
 BedForces forces(PressedBed const& pressed, double height, double smallest_height,
                  PressMoment const& moment = {});
+
+/// The height that the bed would have with the solid fraction of its turn in a die that had not
+/// given way [m].
+double narrow_height(PressedBed const& pressed, double smallest_height);
 
 } // namespace coupling::reduced

@@ -47,20 +47,36 @@ TEST(PressedBed, ATiltIsTheMeanOverTheFace) {
   EXPECT_NEAR(forces(bed, height, height).upper, sum / weight, 1e-6 * level);
 }
 
-/// D = D_0 + a p(D), solved here by many rounds.
+/// The height at which a stiff die has the solid fraction of one that is D_0 + a p wide.
+double narrow(double height, double radial_pressure) {
+  return height * std::pow(1.0 + 1e-12 * radial_pressure / 22e-3, 2);
+}
+
+/// D = D_0 + a p(D), solved here by many rounds: a bed in a stiff die at the height with the same
+/// solid fraction, under the same faces.
 TEST(PressedBed, ADieThatGivesIsWiderByItsPressure) {
   auto bed = pressed();
   bed.die_yield = 1e-12;
-  double bore = 22e-3;
-  BedForces found{};
-  for (int round = 0; round < 50; ++round) {
-    double const ratio = 22e-3 / bore;
-    found = bed_forces(bed.law, {7e-3 * ratio * ratio, bore}, height, height);
-    bore = 22e-3 + 1e-12 * found.radial_pressure;
-  }
-  double const stiff = forces(pressed(), height, height).upper;
-  EXPECT_LT(found.upper, 0.995 * stiff);
-  EXPECT_NEAR(forces(bed, height, height).upper, found.upper, 1e-4 * stiff);
+  bed.law.wall_friction = 0.0; // its share goes with the height itself
+  double own = height;
+  for (int round = 0; round < 50; ++round)
+    own = narrow(height, bed_forces(bed.law, bed.bed, own, own).radial_pressure);
+  auto const found = bed_forces(bed.law, bed.bed, own, own);
+  auto stiff = bed;
+  stiff.die_yield = 0.0;
+  double const peak = forces(stiff, height, height).upper;
+  EXPECT_LT(found.upper, 0.99 * peak);
+  EXPECT_NEAR(forces(bed, height, height).upper, found.upper, 1e-4 * peak);
+  EXPECT_NEAR(narrow_height(bed, height), own, 1e-8);
+  // Opening: it closes again, from the solid fraction that it came to.
+  double const above = height + 2e-5;
+  double now = above;
+  for (int round = 0; round < 50; ++round)
+    now = narrow(above, bed_forces(bed.law, bed.bed, now, own).radial_pressure);
+  auto const opened = bed_forces(bed.law, bed.bed, now, own);
+  EXPECT_NEAR(forces(bed, above, height).upper, opened.upper, 1e-4 * peak);
+  double const kept = opened.upper / found.upper;
+  EXPECT_GT(kept, 1.002 * forces(stiff, above, height).upper / peak);
 }
 
 TEST(RateLaw, GoesWithTheLogarithmOfTheRate) {
