@@ -95,7 +95,7 @@ void search_doses(finding::CaseDiagnosis const& diagnosis, Case const& setup, Ca
     auto const& size = cause.parameters.front();
     finding::DoseSearch search;
     search.tolerance =
-        std::clamp(0.25 * (size.high - size.low) / std::abs(size.value), search.tolerance, 0.3);
+        std::clamp(0.25 * (size.high - size.low) / std::abs(size.value), search.tolerance, 0.15);
     auto const dose = search_dose(dosed->dose, search, effect_of);
     facts.doses[cause.name] = {dose.dose, in_words(dose)};
   }

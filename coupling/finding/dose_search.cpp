@@ -13,18 +13,20 @@ struct Tried {
   double dose, effect;
 };
 
-/// Where the line between two tries is 1.
-double crossing(Tried const& low, Tried const& high) {
-  return low.dose + (high.dose - low.dose) * (1.0 - low.effect) / (high.effect - low.effect);
+/// Where the line through two tries is 1; no nearer and no farther than `farthest` allows.
+double crossing(Tried const& first, Tried const& last, double farthest) {
+  double const slope = (last.effect - first.effect) / (last.dose - first.dose);
+  double const at = last.dose + (1.0 - last.effect) / slope;
+  return slope > 0.0 ? std::min(at, farthest) : farthest;
 }
 
 } // namespace
 
 FoundDose search_dose(Dose const& dose, DoseSearch const& search,
                       std::function<double(double)> const& effect_of) {
-  constexpr double farthest = 4.0;
+  constexpr double largest_step = 4.0;
   auto const distance = [](double effect) { return std::abs(effect - 1.0); };
-  Tried below{0.0, 0.0};
+  Tried last{0.0, 0.0}; // below 1
   std::optional<Tried> above;
   double at = std::min(dose.guess, dose.largest);
   FoundDose best{.dose = at, .effect = 0.0, .n_simulations = 0, .is_reached = false};
@@ -37,12 +39,12 @@ FoundDose search_dose(Dose const& dose, DoseSearch const& search,
       break;
     if (now.effect >= 1.0)
       above = now;
-    else
-      below = now;
     if (above)
-      at = crossing(below, *above);
+      at = crossing(now.effect < 1.0 ? now : last, *above, above->dose);
     else
-      at = std::min({at / std::max(now.effect, 1.0 / farthest), dose.largest});
+      at = crossing(last, now, std::min(largest_step * now.dose, dose.largest));
+    if (now.effect < 1.0)
+      last = now;
   }
   return best;
 }

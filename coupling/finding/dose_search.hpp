@@ -17,10 +17,10 @@ struct FoundDose {
   bool is_reached; ///< within the tolerance
 };
 
-/// Searches for the dose whose effect is 1: the guess first, then where a straight line says, from
-/// no effect at 0 or inside a bracket once there is one; a dose is at most four times the last.
-/// Ends within the tolerance, at the largest dose that is too little, or after the most
-/// simulations, with the dose nearest to 1.
+/// Searches for the dose whose effect is 1: the guess first, then where the straight line through
+/// the last two tries says (the first from no effect at 0), or through a bracket once there is one;
+/// a dose is at most four times the last. Ends within the tolerance, at the largest dose that is
+/// too little, or after the most simulations, with the dose nearest to 1.
 /// @param effect_of  of a dose, by a simulation; may be noisy. What it throws ends the search
 FoundDose search_dose(Dose const& dose, DoseSearch const& search,
                       std::function<double(double)> const& effect_of);

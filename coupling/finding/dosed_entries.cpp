@@ -27,13 +27,12 @@ DosedCause plastic_contacts(double size, Case const& setup, BedFacts const& fact
   if (!(facts.relative_overlap > 0.0))
     return obstacle("the overlap of the contacts at full load is not known, from which the Yield "
                     "pressure follows. Run the case first?");
-  if (!(size > 0.0 && size < 1.0))
-    return obstacle("a share of yielding is between 0 and 1. Is something else the cause?");
+  constexpr double most = 0.95;
   auto const& grain = setup.powder.components.front().material;
   double const modulus =
       0.5 * grain.young_modulus / (1.0 - grain.poisson_ratio * grain.poisson_ratio);
   double const hardest = 2.0 * modulus / std::numbers::pi * std::sqrt(facts.relative_overlap);
-  return {.dose = {.guess = size, .largest = 0.95},
+  return {.dose = {.guess = std::min(size, most), .largest = most},
           .entries = [law = setup.contacts.law, hardest](double dose) {
             return std::vector<EntryChange>{
                 {"Contact/Preset", "custom"},
@@ -66,8 +65,7 @@ Diameters diameters_of(Powder const& powder) {
   return found;
 }
 
-/// Grains of the finest class stay whole, since their pieces would take a time step of their own;
-/// a powder of one class has no finer one.
+/// Every class breaks, and pieces of the finest do not: they would take a time step of their own.
 DosedCause breakage(double, Case const& setup, BedFacts const& facts) {
   if (!(facts.largest_stress > 0.0))
     return obstacle("the largest stress on the bed is not known, by which the Strength is guessed. "
@@ -78,7 +76,7 @@ DosedCause breakage(double, Case const& setup, BedFacts const& facts) {
   double const own = law.is_on() ? std::pow(law.strength / scale, -modulus) : 0.0;
   if (!law.is_on()) {
     law.reference_diameter = coarsest;
-    law.smallest_diameter = finest < coarsest ? finest : 0.99 * finest;
+    law.smallest_diameter = 0.9 * finest;
   }
   return {.dose = {.guess = 1.0, .largest = 1e6}, .entries = [=](double dose) {
             return std::vector{

@@ -22,13 +22,13 @@ reduced::BedLaw const law{.stiffness = 600e6,
 reduced::Bed const bed{.solid_area = 7.06e-3, .bore = 22.05e-3};
 
 /// A simulation of the bed, fitted as one of grains would be.
-reduced::SimulatedPress simulated() {
+reduced::SimulatedPress simulated(reduced::BedLaw const& of = law) {
   auto const course = reduced::press_course(20e-3, 7.5e-3, 0.2, 0.2);
   std::vector<double> samples;
   for (int k = 0; k <= 1000; ++k)
     samples.push_back(course.time.back() * k / 1000.0);
   reduced::SimulatedCycle cycle;
-  for (auto const& at : press_cycle({.law = law, .bed = bed}, {}, course, samples)) {
+  for (auto const& at : press_cycle({.law = of, .bed = bed}, {}, course, samples)) {
     cycle.height.push_back(at.height);
     cycle.upper.push_back(at.forces.upper);
     cycle.lower.push_back(at.forces.lower);
@@ -43,7 +43,8 @@ reduced::SimulatedPress simulated() {
 
 /// A pressing in a machine with its errors, read with noise.
 measured::Run pressing(std::string const& file, measured::Role role, double end_gap, double speed,
-                       reduced::Machine const& machine, std::mt19937& draw) {
+                       reduced::Machine const& machine, reduced::BedLaw const& of,
+                       std::mt19937& draw) {
   std::normal_distribution<double> noise(0.0, 1.0);
   measured::Run run{.file = file,
                     .role = role,
@@ -56,7 +57,7 @@ measured::Run pressing(std::string const& file, measured::Role role, double end_
   for (double t = 0.05; t < course.time.back();
        t += t < (20e-3 - end_gap) / speed ? 1e-5 / speed : 0.03)
     run.time.push_back(t);
-  for (auto const& at : press_cycle({.law = law, .bed = bed}, machine, course, run.time)) {
+  for (auto const& at : press_cycle({.law = of, .bed = bed}, machine, course, run.time)) {
     run.series["punch_gap"].push_back(at.commanded_gap + 2e-6 * noise(draw));
     run.series["upper_punch_force"].push_back(at.load_cell + 12.0 * noise(draw));
     run.series["lower_punch_force"].push_back(at.forces.lower + 12.0 * noise(draw));
@@ -65,7 +66,8 @@ measured::Run pressing(std::string const& file, measured::Role role, double end_
   return run;
 }
 
-measured::MeasuredData laboratory(reduced::Machine const& machine) {
+measured::MeasuredData laboratory(reduced::Machine const& machine,
+                                  reduced::BedLaw const& of = law) {
   std::mt19937 draw(7);
   return {
       .sample = {.mass = {bed.solid_area * 3386.0 * 0.25 * std::acos(-1.0) * bed.bore * bed.bore,
@@ -75,9 +77,9 @@ measured::MeasuredData laboratory(reduced::Machine const& machine) {
                    {.name = "upper_punch_force", .unit = "N", .sd = 12.0},
                    {.name = "lower_punch_force", .unit = "N", .sd = 12.0}},
       .gap_source = measured::GapSource::commanded,
-      .runs = {pressing("run1.csv", measured::Role::fit, 8e-3, 1.7e-5, machine, draw),
-               pressing("run2.csv", measured::Role::held_out, 7.7e-3, 1.7e-5, machine, draw),
-               pressing("run3.csv", measured::Role::held_out, 8.2e-3, 8e-5, machine, draw)}};
+      .runs = {pressing("run1.csv", measured::Role::fit, 8e-3, 1.7e-5, machine, of, draw),
+               pressing("run2.csv", measured::Role::held_out, 7.7e-3, 1.7e-5, machine, of, draw),
+               pressing("run3.csv", measured::Role::held_out, 8.2e-3, 8e-5, machine, of, draw)}};
 }
 
 Finding diagnosed(reduced::Machine const& machine) {
@@ -173,4 +175,28 @@ TEST(CaseDiagnosis, ForetellsTheNextMeasurementInTheUnitsOfItsReadings) {
       EXPECT_GT(outcome.sd.front(), 0.0);
     }
   }
+}
+
+TEST(CaseDiagnosis, SimulationsShowHowMuchOfAnEffectTheyHave) {
+  Case const setup = parse_case("set Title = Test\n", "case.prm");
+  auto yielding = law;
+  yielding.yielding = {.size = 0.15, .stress = 20e6};
+  yielding.recovery *= 0.65;
+  auto const data = laboratory({}, yielding);
+  auto const simulation = simulated();
+  CaseDiagnosis const diagnosis(
+      {.setup = setup, .data = data, .simulated = simulation, .provenance = {}});
+  auto const found = diagnosis.finding();
+  ASSERT_EQ(found.verdict, "named");
+  ASSERT_EQ(found.causes.front().name, "plastic_contacts");
+  auto const shown = [&](double share) {
+    auto part = law;
+    part.yielding = {.size = 0.15 * share, .stress = 20e6};
+    part.recovery *= 1.0 - 0.35 * share;
+    return diagnosis.effect_shown("plastic_contacts", simulation, simulated(part));
+  };
+  EXPECT_NEAR(shown(1.0), 1.0, 0.05);
+  EXPECT_NEAR(shown(0.5), 0.5, 0.1);
+  EXPECT_NEAR(shown(0.0), 0.0, 1e-12);
+  EXPECT_THROW(diagnosis.effect_shown("force_gain", simulation, simulation), std::out_of_range);
 }

@@ -11,6 +11,7 @@
 #include <map>
 #include <numbers>
 #include <set>
+#include <tuple>
 
 namespace coupling::finding {
 namespace {
@@ -189,12 +190,65 @@ TEST(ExtendedCase, TiltsThePunchAndLetsContactsStiffenEachOther) {
   EXPECT_NEAR(read_back(extended).contacts.law.multi_contact, 0.15, 1e-12);
 }
 
+// Entries of which only a simulation tells how far they go: by a guess, or by what was shown.
+TEST(ExtendedCase, AddsFinesThatAreFinerThanTheCase) {
+  auto const extended = extended_case(seed(), {cause("missing_fines", 0.02, "1")});
+  ASSERT_TRUE(extended.not_modelled.empty()) << extended.not_modelled[0];
+  auto const fines = read_back(extended).powder.fines;
+  EXPECT_NEAR(fines.share, 0.2, 1e-12);
+  EXPECT_NEAR(fines.diameter, 0.75 * 0.5e-3, 1e-12) << "the seed's finest grains have 0.5 mm";
+  EXPECT_NE(extended.text.find("a first guess, which no simulation has tried"), std::string::npos);
+  // A case that has fines gets more of them, or fewer.
+  auto const own = seed({"Powder/Added fines/Share=0.1", "Powder/Added fines/Diameter=0.2 mm"});
+  BedFacts const shown{.doses = {{"missing_fines", {0.04, "by 2 simulations"}}}};
+  auto const more = extended_case(own, {cause("missing_fines", 0.02, "1")}, {}, shown);
+  EXPECT_NEAR(read_back(more).powder.fines.share, 0.14, 1e-12);
+  EXPECT_EQ(read_back(more).powder.fines.diameter, 0.2e-3);
+  EXPECT_NE(more.text.find("; by 2 simulations; before: 0.1"), std::string::npos) << more.text;
+  auto const fewer = extended_case(own, {cause("missing_fines", -0.02, "1")}, {}, shown);
+  EXPECT_NEAR(read_back(fewer).powder.fines.share, 0.06, 1e-12);
+}
+
+TEST(ExtendedCase, BreaksGrainsByTheStressOnTheBed) {
+  auto const extended =
+      extended_case(seed(), {cause("breakage", 0.01, "1")}, {},
+                    {.largest_stress = 10e6, .doses = {{"breakage", {32.0, "shown"}}}});
+  ASSERT_TRUE(extended.not_modelled.empty()) << extended.not_modelled[0];
+  auto const law = read_back(extended).breakage;
+  // 0.75 s 32^(-1/5), m = 5; the coarsest class is the reference, pieces of the finest stay.
+  EXPECT_NEAR(law.strength, 0.5 * 0.75 * 10e6, 1.0);
+  EXPECT_NEAR(law.reference_diameter, 3e-3, 1e-12);
+  EXPECT_NEAR(law.smallest_diameter, 0.45e-3, 1e-12);
+  // Where grains break already, it adds to that: sigma^-5 = own^-5 + 32 (7.5 MPa)^-5.
+  auto const weaker =
+      extended_case(seed({"Breakage/Strength=3.75 MPa", "Breakage/Smallest diameter=1 mm"}),
+                    {cause("breakage", 0.01, "1")}, {},
+                    {.largest_stress = 10e6, .doses = {{"breakage", {32.0, "shown"}}}});
+  EXPECT_NEAR(read_back(weaker).breakage.strength, 3.75e6 * std::pow(2.0, -0.2), 1.0);
+  EXPECT_EQ(read_back(weaker).breakage.smallest_diameter, 1e-3) << "its own stays";
+}
+
+TEST(ExtendedCase, FillsTheDieMoreDensely) {
+  Case const setup = seed({"Powder/Settle time=20 ms", "Powder/Fill state=0.2"});
+  auto const state = [&](double size) {
+    return read_back(extended_case(setup, {cause("fill_state", size, "1")})).powder.fill_state;
+  };
+  EXPECT_NEAR(state(0.003), 0.5, 1e-12);
+  EXPECT_NEAR(state(0.03), 1.0, 1e-12) << "no more than all";
+  EXPECT_NEAR(state(-0.001), 0.1, 1e-12);
+  EXPECT_NEAR(state(-0.03), 0.0, 1e-12);
+}
+
 TEST(ExtendedCase, SaysWhatItCannotModel) {
-  for (auto const* name : {"breakage", "missing_fines", "fill_state", "gremlins"}) {
-    auto const extended = extended_case(seed(), {cause(name, 0.01, "1")});
+  for (auto const& [name, size, why] :
+       {std::tuple("breakage", 0.01, "largest stress"),
+        std::tuple("missing_fines", -0.01, "coarser"), std::tuple("fill_state", -0.01, "looser"),
+        std::tuple("fill_state", 0.01, "Settle time"), std::tuple("gremlins", 0.01, "no entry")}) {
+    auto const extended = extended_case(seed(), {cause(name, size, "1")});
     EXPECT_TRUE(extended.changes.empty()) << name;
     ASSERT_EQ(extended.not_modelled.size(), 1u) << name;
     EXPECT_NE(extended.not_modelled[0].find(name), std::string::npos);
+    EXPECT_NE(extended.not_modelled[0].find(why), std::string::npos) << extended.not_modelled[0];
     // The text says so, and is the case all the same.
     EXPECT_NE(extended.text.find("# " + extended.not_modelled[0]), std::string::npos);
     EXPECT_EQ(values_of(extended.text), values_of(seed().resolved_text));
