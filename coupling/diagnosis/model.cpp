@@ -57,6 +57,7 @@ void validate(Model const& model) {
                          "meant to be linear?",
                          one.name, one.mean));
   }
+  names.clear(); // a sheet that is wrong is a mechanism of its parameter's name
   for (auto const& one : model.mechanisms()) {
     expect_new(one.name);
     validate_prior(one.name, 0.0, one.scale, one.low, one.high);

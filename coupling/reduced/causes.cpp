@@ -93,6 +93,16 @@ void particle_friction(Press& press, double a, VectorXd const& shapes) {
   add_recovery(law, -0.16 * a);
   law.stiffness *= std::exp(shapes[0] * a);
 }
+/// E and the cohesion energy density beyond what their sheets allow, which calibration takes up: as
+/// PressModel does.
+void young_modulus(Press& press, double a, VectorXd const&) {
+  press.pressed.law.stiffness *= 1.0 + a;
+  press.pressed.law.cohesion *= 1.0 + a;
+}
+void cohesion(Press& press, double a, VectorXd const&) {
+  auto& softening = press.pressed.law.cohesion;
+  softening = std::max(softening + cohesion_slope * press.cohesion_density * a, 0.0);
+}
 /// Contacts that yield: softer above a stress, less given back, and that on a straighter way.
 void plastic_contacts(Press& press, double a, VectorXd const& shapes) {
   auto& law = press.pressed.law;
@@ -124,6 +134,12 @@ void multi_contact(Press& press, double a, VectorXd const& shapes) {
   law.stiffening = {.size = 0.3 * a / std::pow(0.25, shapes[0]), .exponent = shapes[0]};
 }
 
+/// A share of something that stays above 0.
+Cause share(Cause of) {
+  of.mechanism.low = -0.95;
+  return of;
+}
+
 } // namespace
 
 std::vector<Cause> const& known_causes() {
@@ -146,6 +162,8 @@ std::vector<Cause> const& known_causes() {
       cause("wall_friction", "1", 0.06, both, grains, wall_friction),
       cause("particle_friction", "1", 0.06, both, grains, particle_friction,
             {{"stiffening", "1", 0.0, 0.3, -3.0, 3.0}}),
+      share(cause("young_modulus", "1", 0.25, both, grains, young_modulus)),
+      share(cause("cohesion", "1", 0.5, both, grains, cohesion)),
       cause("plastic_contacts", "1", 0.3, positive, grains, plastic_contacts,
             {{"yield_stress", "MPa", 20.0, 10.0, 2.0, 200.0},
              {"kept", "1", 0.7, 0.3, 0.0, 2.0},

@@ -12,7 +12,12 @@ struct Press {
   PressedBed pressed;
   Machine machine;
   double solid_density = 0.0; ///< [kg/m^3], of the grains; 0 where no mass is asked for
+  double cohesion_density = 0.0; ///< cohesion energy density of the simulation [J/m^3]
 };
+
+/// dS/dCED [Pa m^3/J]: the force falls by 1.5 % at the peak for each MJ/m^3, linearly, whatever E
+/// is. Source: cases/seed-library.
+inline constexpr double cohesion_slope = 2.5;
 
 /// Where a cause acts: on the machine, the die and the mass, which the emulator has exactly; or
 /// between the grains, which a simulation must be asked for.
@@ -27,7 +32,8 @@ struct Cause {
   Side side;
 };
 
-/// Every cause of the outward contract but Young's modulus and cohesion, which are calibrated.
+/// Every cause of the outward contract. Young's modulus and cohesion are calibrated within their
+/// sheets; as causes they are what a sheet that is wrong leaves over.
 /// Prior sizes: the largest that a competent laboratory would meet. Source: diagnosis note, 4.2;
 /// die_compliance and multi_contact: README.
 std::vector<Cause> const& known_causes();

@@ -56,6 +56,7 @@ PressModel::PressModel(Press nominal, Sheet const& sheet, RepeatScatter const& s
       scatters_(scatters_of(scatter)) {
   VALIDATE(plan_.n_rows() > 0, "press model: nothing is to be foretold. Does a run hold values?");
   nominal_.machine.gap_is_of_faces = plan_.gap_is_of_faces;
+  nominal_.cohesion_density = sheet.cohesion;
   calibrated_.push_back({.name = "young_modulus",
                          .unit = "Pa",
                          .mean = sheet.young_modulus,

@@ -13,10 +13,6 @@ struct Sheet {
   double cohesion_sd = 0.5;      ///< of ln CED
 };
 
-/// dS/dCED [Pa m^3/J]: the force falls by 1.5 % at the peak for each MJ/m^3, linearly, whatever E
-/// is. Source: cases/seed-library.
-inline constexpr double cohesion_slope = 2.5;
-
 /// The emulator of a press as a model for the diagnosis: the law of a simulated bed, E and the
 /// cohesion energy density calibrated,
 ///   K = K_0 E / E_0,  S = S_0 E / E_0 + cohesion_slope (CED - CED_0),
