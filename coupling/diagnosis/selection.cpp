@@ -93,6 +93,13 @@ public:
     }
   }
 
+  /// Partners for each cause of a pair: the cause that came last may have a better one than its
+  /// base.
+  void exchange(Fit const& pair, int count) {
+    for (int const j : pair.active)
+      extend(Fit(found_[places_.at({j})].fit), count); // a copy, since found_ grows
+  }
+
   /// The best by evidence among sets of `n_causes`.
   std::vector<Fit> best(std::size_t n_causes, int count) const {
     std::vector<Hypothesis const*> order;
@@ -192,6 +199,8 @@ Selection select_causes(Comparison const& comparison, Fit const& baseline,
     search.extend(base, settings.n_partners);
   for (auto const& pair : search.best(2, settings.n_bases))
     search.narrow(pair);
+  for (auto const& pair : search.best(2, 1))
+    search.exchange(pair, settings.n_partners);
   if (search.least_chi_squared() > failing)
     for (auto const& base : search.best(2, 1))
       search.extend(base, settings.n_partners);

@@ -35,7 +35,7 @@ struct Selection {
 
 /// Searches the sets of causes under one common Sigma: none, singles (screened by score, then
 /// refitted), pairs on the best singles, what the best pairs leave without one of their causes,
-/// triples on the best pair if all pairs have failed.
+/// other partners for both of the best pair, triples on the best pair if all pairs have failed.
 /// @param expected  of chi^2 when nothing is wrong, and its standard deviation
 Selection select_causes(Comparison const& comparison, Fit const& baseline,
                         SignatureLibrary const& library, double expected, double expected_sd,

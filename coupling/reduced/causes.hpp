@@ -11,7 +11,7 @@ namespace coupling::reduced {
 struct Press {
   PressedBed pressed;
   Machine machine;
-  double solid_density = 0.0; ///< [kg/m^3], of the grains; 0 where no mass is asked for
+  double solid_density = 0.0;    ///< [kg/m^3], of the grains; 0 where no mass is asked for
   double cohesion_density = 0.0; ///< cohesion energy density of the simulation [J/m^3]
 };
 

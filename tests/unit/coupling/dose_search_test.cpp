@@ -94,7 +94,7 @@ PressRecord cycle() {
 TEST(BedFacts, AreThoseOfTheLargestForce) {
   support::ScratchFolder const folder;
   support::put_bytes(folder.path() / "case.resolved.prm",
-                      "subsection Tooling\n  set Bore diameter = 22.05 mm\nend\n");
+                     "subsection Tooling\n  set Bore diameter = 22.05 mm\nend\n");
   write_curves(folder.path() / "curves.csv", cycle());
   auto const alone = bed_facts(folder.path());
   EXPECT_TRUE(std::isnan(alone.relative_overlap)) << "no grains, no radius";

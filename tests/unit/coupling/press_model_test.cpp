@@ -155,6 +155,23 @@ TEST(PressModel, CalibratesStiffnessAndCohesion) {
   EXPECT_EQ(model.press_at(at).pressed.law.cohesion, 0.0);
 }
 
+/// As causes both do what they do as calibrated parameters.
+TEST(PressModel, ASheetThatIsWrongActsAsItsParameter) {
+  auto const rows = measured_rows(laboratory(press()), measured::Role::fit);
+  PressModel const model(press(), sheet, {}, rows.plan);
+  auto const nominal = nominal_parameters(model);
+  for (int p = 0; p < 2; ++p) {
+    auto as_parameter = nominal, as_cause = nominal;
+    as_parameter.calibrated[p] *= 1.4;
+    for (std::size_t j = 0; j < known_causes().size(); ++j)
+      if (known_causes()[j].mechanism.name == model.calibrated()[static_cast<std::size_t>(p)].name)
+        as_cause.sizes[static_cast<Eigen::Index>(j)] = 0.4;
+    auto const expected = model.predict(as_parameter);
+    EXPECT_GT((expected - model.predict(nominal)).norm(), 1e-3 * expected.norm());
+    EXPECT_NEAR((model.predict(as_cause) - expected).norm(), 0.0, 1e-12 * expected.norm());
+  }
+}
+
 /// Every cause, at three prior sizes (a tilt shows by its square), moves some row by more than 5
 /// standard uncertainties of its instrument; every shape parameter counts; at size 0 nothing is
 /// there.
@@ -237,6 +254,8 @@ TEST(PressModel, CausesDoWhatTheyAreCalled) {
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.size, 0.01);
   EXPECT_EQ(after("fill_state", 0.01).pressed.law.onset_fill.tail, 0.5);
   EXPECT_EQ(after("breakage", 0.01).pressed.law.onset_crush.size, 0.01);
+  EXPECT_DOUBLE_EQ(after("young_modulus", 0.5).pressed.law.stiffness, 900e6);
+  EXPECT_DOUBLE_EQ(after("young_modulus", 0.5).pressed.law.cohesion, 1.5 * plain.law.cohesion);
   EXPECT_EQ(after("die_compliance", 1e-13).pressed.die_yield, 1e-13);
   EXPECT_EQ(after("rate_dependence", 0.02).pressed.rate.gain, 0.02);
   EXPECT_DOUBLE_EQ(after("multi_contact", 0.3).pressed.law.stiffening.size,
