@@ -147,6 +147,16 @@ template <SurfaceLaw L> Eigen::Vector3d scaled_guess(L const& law, Trial const& 
           (1.0 - inside) * std::hypot(trial.volumetric, trial.deviatoric)};
 }
 
+/// Stiffness [Pa] at an elastic strain, which makes a strain of a yield function. Not that of the
+/// trial: where it follows the pressure, it would be beyond measure there.
+template <SurfaceLaw L>
+double modulus_at(L const& law, Eigen::Vector3d const& y, double compaction) {
+  using Pair = Dual<2>;
+  auto const stress =
+      law.elastic(Pair::variable(y[0], 0), Pair::variable(y[1], 1), Pair(compaction));
+  return stress.p.slope[0] + stress.q.slope[1];
+}
+
 /// d(p, q)/d(eps_v^tr, eps_q^tr) [Pa] at the end of a step.
 inline Eigen::Matrix2d invariant_tangent(Equations const& at) {
   Eigen::Matrix<double, 3, 2> const follow =
@@ -219,20 +229,17 @@ PowderResult map_back(L const& law, PowderState const& old, Eigen::Vector3d cons
   Trial const& trial = parts.trial;
   if (auto const response = elastic_step(law, parts))
     return *response;
-  using Pair = Dual<2>;
-  auto const stress = law.elastic(Pair::variable(trial.volumetric, 0),
-                                  Pair::variable(trial.deviatoric, 1), Pair(trial.compaction));
-  double const modulus = stress.p.slope[0] + stress.q.slope[1];
+  auto const stress = law.elastic(trial.volumetric, trial.deviatoric, trial.compaction);
+  Eigen::Vector3d const scaled = scaled_guess(law, trial);
+  double const modulus = modulus_at(law, scaled, trial.compaction);
   Effort effort;
   bool is_solid = false;
   // First guess the trial, then the scaled one, then where a neighbouring surface has ended outside
   // its part: the transition is a short arc, which Newton's iteration may miss from afar.
   std::array<Eigen::Vector3d, 3> guesses = {
-      Eigen::Vector3d(trial.volumetric, trial.deviatoric, 0.0), scaled_guess(law, trial), {}};
-  guesses[2] = guesses[1];
+      Eigen::Vector3d(trial.volumetric, trial.deviatoric, 0.0), scaled, scaled};
   for (auto const& guess : guesses)
-    for (PowderSurface const surface :
-         law.candidates(stress.p.value, stress.q.value, trial.compaction)) {
+    for (PowderSurface const surface : law.candidates(stress.p, stress.q, trial.compaction)) {
       if (surface == PowderSurface::none)
         continue;
       auto const solution = solve(law, surface, trial, modulus, guess, effort);

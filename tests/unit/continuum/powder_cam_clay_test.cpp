@@ -132,6 +132,16 @@ TEST(PowderCamClay, CohesionBearsTension) {
   EXPECT_NEAR((q * q + 1.3 * 1.3 * (p + 1e5) * (p - p_c)) / (p_c * p_c), 0.0, 1e-12);
 }
 
+// p + c = (p_0 + c) exp(eps_v/kappa), also into tension down to -c.
+TEST(PowderCamClay, PressureElasticityCarriesItsCohesion) {
+  PressureElasticity const bed{
+      .reference_pressure = 1e5, .kappa = 0.01, .shear_modulus = 2e7, .cohesion = 4e4};
+  EXPECT_TRUE(near::relative(bed(0.01, 0.0, 0.5).p, 1.4e5 * std::exp(1.0) - 4e4, 1e-14));
+  EXPECT_LT(bed(-0.02, 0.0, 0.5).p, 0.0);
+  EXPECT_GT(bed(-0.2, 0.0, 0.5).p, -4e4);
+  EXPECT_TRUE(near::relative(bed(0.0, 0.003, 0.5).q, 3.0 * 2e7 * 0.003, 1e-14));
+}
+
 TEST(PowderCamClay, HeckelHardeningNeverReachesTheSolid) {
   auto const law = powder();
   PowderPoint point;
