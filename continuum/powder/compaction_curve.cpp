@@ -1,8 +1,7 @@
 #include "continuum/powder/compaction_curve.hpp"
 
-#include "continuum/expect.hpp"
+#include "continuum/powder/compaction_points.hpp"
 #include "continuum/powder/least_squares.hpp"
-#include "continuum/tool/quote.hpp"
 
 #include <Eigen/LU>
 
@@ -37,52 +36,6 @@ T cooper_eaton_density(T const& a_1, T const& k_1, T const& a_2, T const& k_2, d
   return 1.0 / (1.0 / D_0 - share * (1.0 / D_0 - 1.0));
 }
 
-/// The points of a range, pressures in units of the largest.
-struct Points {
-  std::vector<double> pressure, density;
-  double unit; ///< [Pa]
-  PressureRange range;
-};
-
-Points select(std::span<double const> pressure, std::span<double const> density,
-              PressureRange const& range, std::size_t n_parameters, std::string const& name) {
-  VALIDATE(pressure.size() == density.size(),
-           name + ": " + std::to_string(pressure.size()) + " pressures and " +
-               std::to_string(density.size()) + " densities (a point has both). Is a row short?");
-  Points points{.pressure = {}, .density = {}, .unit = 0.0, .range = {}};
-  for (std::size_t i = 0; i < pressure.size(); ++i) {
-    if (!(pressure[i] >= range.from && pressure[i] <= range.to))
-      continue;
-    VALIDATE(density[i] > 0.0 && density[i] < 1.0,
-             name + ": relative density = " + quote(density[i]) + " at " + quote(pressure[i]) +
-                 " Pa (it lies between 0 and 1). Is it in percent?");
-    VALIDATE(pressure[i] >= 0.0, name + ": pressure = " + quote(pressure[i]) +
-                                     " Pa (compression is positive). Is its sign turned?");
-    points.pressure.push_back(pressure[i]);
-    points.density.push_back(density[i]);
-  }
-  VALIDATE(points.pressure.size() > n_parameters,
-           name + ": " + std::to_string(points.pressure.size()) + " points from " +
-               quote(range.from) + " to " + quote(range.to) + " Pa for " +
-               std::to_string(n_parameters) +
-               " parameters (their scatter needs one more). Widen the range?");
-  auto const [low, high] = std::ranges::minmax(points.pressure);
-  VALIDATE(high > low,
-           name + ": all points are at " + quote(low) + " Pa (a curve needs a range). Widen it?");
-  points.range = {low, high};
-  points.unit = high;
-  for (double& P : points.pressure)
-    P /= high;
-  return points;
-}
-
-void validate_initial_density(Points const& points, double D_0, std::string const& name) {
-  VALIDATE(D_0 > 0.0 && D_0 < std::ranges::max(points.density),
-           name + ": initial density = " + quote(D_0) +
-               " is not below the densities of the points (pressing densifies). Is it the tapped "
-               "density?");
-}
-
 /// Straight line y = c_0 + c_1 x: where the iteration begins.
 Eigen::Vector2d line(Eigen::VectorXd const& x, Eigen::VectorXd const& y) {
   Eigen::MatrixX2d columns(x.size(), 2);
@@ -98,7 +51,7 @@ Eigen::VectorXd mapped(std::vector<double> const& values, auto const& function) 
 
 template <class Curve>
 CurveFit<Curve> fitted(Curve const& curve, Curve const& error, double residual,
-                       Points const& points) {
+                       CompactionPoints const& points) {
   return {.curve = curve,
           .standard_error = error,
           .residual = residual,
@@ -112,7 +65,7 @@ double filled_share(double D, double D_0) {
 }
 
 /// Best of a grid of (k_1, k_2); for given k the shares follow linearly.
-Eigen::Vector4d cooper_eaton_start(Points const& points, double D_0) {
+Eigen::Vector4d cooper_eaton_start(CompactionPoints const& points, double D_0) {
   auto const share = mapped(points.density, [&](double D) { return filled_share(D, D_0); });
   Eigen::Vector4d best = {0.5, 0.01, 0.5, 0.5};
   double least = INFINITY;
@@ -155,7 +108,7 @@ double CooperEaton::density(double pressure) const {
 
 CurveFit<Heckel> fit_heckel(std::span<double const> pressure, std::span<double const> density,
                             PressureRange const& range) {
-  auto const points = select(pressure, density, range, 2, "Heckel");
+  auto const points = select_points(pressure, density, range, 2, "Heckel");
   auto const start = line(mapped(points.pressure, [](double P) { return P; }),
                           mapped(points.density, [](double D) { return -std::log1p(-D); }));
   auto const model = [](auto const& a, double P) { return heckel_density(a[1], a[0], P); };
@@ -169,7 +122,7 @@ CurveFit<Heckel> fit_heckel(std::span<double const> pressure, std::span<double c
 CurveFit<Kawakita> fit_kawakita(std::span<double const> pressure, std::span<double const> density,
                                 PressureRange const& range, double initial_density) {
   double const D_0 = initial_density;
-  auto const points = select(pressure, density, range, 2, "Kawakita");
+  auto const points = select_points(pressure, density, range, 2, "Kawakita");
   validate_initial_density(points, D_0, "Kawakita");
   // P/C = P/a + 1/(a b); noise near D_0 makes C tiny, so it is kept from zero here.
   Eigen::VectorXd const P = mapped(points.pressure, [](double value) { return value; });
@@ -191,7 +144,7 @@ CurveFit<CooperEaton> fit_cooper_eaton(std::span<double const> pressure,
                                        std::span<double const> density, PressureRange const& range,
                                        double initial_density) {
   double const D_0 = initial_density;
-  auto const points = select(pressure, density, range, 4, "Cooper-Eaton");
+  auto const points = select_points(pressure, density, range, 4, "Cooper-Eaton");
   validate_initial_density(points, D_0, "Cooper-Eaton");
   auto const model = [&](auto const& a, double P) {
     return cooper_eaton_density(a[0], a[1], a[2], a[3], P, D_0);

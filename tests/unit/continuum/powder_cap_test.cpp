@@ -8,6 +8,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <random>
 #include <vector>
 
 namespace {
@@ -149,6 +150,58 @@ TEST(PowderCap, UnloadsAvicelElastically) {
   expect_unloading(HardeningReading::as_filed, {0.45580, 10.73, 2847.0, 0.1863, 0.00337, -0.00126});
   expect_unloading(HardeningReading::consistent,
                    {0.45975, 17.73, 2693.0, 0.1799, 0.00590, -0.00212});
+}
+
+// In the die neither potential of the shear line is ever asked.
+TEST(PowderCap, PressAndUnloadingDoNotReachTheShearLine) {
+  auto law = avicel_ph102(HardeningReading::consistent);
+  double axial[2];
+  for (auto const flow : {ShearFlow::elliptic, ShearFlow::admissible}) {
+    law.shear_flow = flow;
+    PowderPoint point;
+    auto path = press(law, point);
+    axial[flow == ShearFlow::admissible] = path.axial_stress.back();
+    path.append(press_to_stress(law, point, 0.0, 40));
+    for (PowderSurface const surface : path.surface)
+      EXPECT_TRUE(surface == PowderSurface::cap || surface == PowderSurface::none);
+  }
+  EXPECT_EQ(axial[0], axial[1]);
+}
+
+TEST(PowderCap, LargeStepsHaveAnEnd) {
+  PowderLaw const law = avicel_ph102(HardeningReading::consistent);
+  for (int const n : {1, 2, 5, 11}) {
+    PowderPoint point;
+    EXPECT_NEAR(press_to_height(law, point, 0.45, n).axial_stress.back() / 1e6, 57.624, 0.06) << n;
+  }
+}
+
+/// Random trial strains of a size that have no answer, of 2000.
+int n_failures(DruckerPragerCap const& law, double size) {
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal;
+  std::uniform_real_distribution<double> compaction(-0.02, 1.0);
+  int n = 0;
+  for (int i = 0; i < 2000; ++i) {
+    PowderState const state{.plastic_compaction = compaction(random)};
+    Eigen::Vector3d const strain(normal(random), normal(random), normal(random));
+    n += law.respond(state, size * strain) ? 0 : 1;
+  }
+  return n;
+}
+
+TEST(PowderCap, RandomStepsHaveAnEnd) {
+  int n_large = 0;
+  for (auto const flow : {ShearFlow::elliptic, ShearFlow::admissible})
+    for (double const transition : {0.0, 0.03}) {
+      auto law = avicel_ph102(HardeningReading::consistent);
+      law.shear_flow = flow;
+      law.transition = transition;
+      EXPECT_EQ(n_failures(law, 0.03), 0);
+      n_large += n_failures(law, 0.1);
+    }
+  EXPECT_LT(n_large, 160); // 2 % of 8000
+  RecordProperty("without an answer at 10 %, of 8000", n_large);
 }
 
 TEST(PowderCap, WallFrictionOfAvicel) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 namespace {
 
@@ -73,6 +74,29 @@ TEST(PowderDissipation, StepsDoTheWorkOfTheirPotential) {
   law.shear_flow = ShearFlow::admissible;
   EXPECT_GT(work_of_shearing(law, 0.60, inside), 0.0);
   EXPECT_GT(work_of_shearing(law, 0.60, outside), 0.0);
+}
+
+TEST(PowderDissipation, ManyStepsOfAbaqusPotentialGiveEnergy) {
+  auto law = avicel_ph102(HardeningReading::consistent);
+  for (auto const flow : {ShearFlow::elliptic, ShearFlow::admissible}) {
+    law.shear_flow = flow;
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal(0.0, 3e-3);
+    std::uniform_real_distribution<double> compaction(-0.02, 1.0);
+    int n = 0, n_negative = 0;
+    for (int i = 0; i < 4000; ++i) {
+      PowderState const state{.plastic_compaction = compaction(random)};
+      auto const step = law.respond(state, {normal(random), normal(random), normal(random)});
+      if (!step || step->surface != PowderSurface::shear)
+        continue;
+      ++n;
+      n_negative += step->plastic_work < 0.0 ? 1 : 0;
+    }
+    if (flow == ShearFlow::elliptic)
+      EXPECT_NEAR(static_cast<double>(n_negative) / n, 0.40, 0.04);
+    else
+      EXPECT_EQ(n_negative, 0);
+  }
 }
 
 // Where plastic strain goes on the shear line, by the formulas of the two potentials.
