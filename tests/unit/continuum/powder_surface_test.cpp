@@ -117,6 +117,47 @@ TEST(PowderSurfaces, StepsEndOnThemAndFlowByTheParabola) {
   expect_ends_on_surfaces(ShearFlow::admissible);
 }
 
+/// The trial strain whose stress is (p, q) at a density of the law.
+Eigen::Vector3d strain_of(DruckerPragerCap const& law, double density, double p, double q) {
+  double const E = law.elasticity.young_modulus(density);
+  double const nu = law.elasticity.poisson_ratio(density);
+  double const third = p * (1.0 - 2.0 * nu) / E, shear = q * 2.0 * (1.0 + nu) / (3.0 * E);
+  return {-third + shear / 2.0, -third + shear / 2.0, -third - shear};
+}
+
+// On each part of the boundary: a stress a thousandth inside is elastic, a thousandth outside
+// yields.
+TEST(PowderSurfaces, ElasticRangeEndsAtThem) {
+  auto law = avicel_ph102(HardeningReading::consistent);
+  law.transition = 0.03;
+  law.tension_cut_off = 0.4;
+  double const density = 0.65, compaction = std::log(density / 0.3411);
+  auto const v = at_end(law, compaction);
+  double const k = 1.0 + v.a - v.a / v.c, half = v.p_a - 0.5 * v.a * v.D_c * v.t * v.c;
+  double const arc =
+      (1.0 - v.a / v.c) * v.D_c + std::sqrt(std::pow(v.a * v.D_c, 2) - std::pow(half - v.p_a, 2));
+  double const on_cap = v.p_a + 0.6 * v.R * v.D_c;
+  struct {
+    PowderSurface surface;
+    double p, q, by_p, by_q; // a point and the way out
+  } const points[] = {{PowderSurface::cap, on_cap, 0.8 * k * v.D_c, 1.0, 1.0},
+                      {PowderSurface::transition, half, arc, 0.0, 1.0},
+                      {PowderSurface::shear, 0.5 * v.p_a, v.d + 0.5 * v.p_a * v.t, 0.0, 1.0},
+                      {PowderSurface::tension, -0.4 * v.d / v.t, 0.3 * v.d, -1.0, 0.0}};
+  for (auto const& point : points) {
+    double const move = 1e-3 * v.d;
+    auto const at = [&](double way) {
+      auto const strain = strain_of(law, density, point.p + way * move * point.by_p,
+                                    point.q + way * move * point.by_q);
+      return law.respond({.plastic_compaction = compaction}, strain);
+    };
+    auto const inside = at(-1.0), outside = at(1.0);
+    ASSERT_TRUE(inside && outside) << name_of(point.surface);
+    EXPECT_EQ(inside->surface, PowderSurface::none) << name_of(point.surface);
+    EXPECT_EQ(outside->surface, point.surface);
+  }
+}
+
 // The parabola and the ellipse have value, slope and curvature in common at p_a, so their
 // dilatancies agree to first order there.
 TEST(PowderSurfaces, ParabolaOsculatesTheEllipse) {
