@@ -9,12 +9,14 @@
 #include "coupling/measured/read_measured.hpp"
 #include "coupling/press_output.hpp"
 #include "coupling/record/atomic_file.hpp"
+#include "dem/expect.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iostream>
+#include <optional>
 
 namespace coupling::commands {
 namespace {
@@ -72,6 +74,18 @@ void publish(finding::Finding found, Case const& setup, finding::BedFacts const&
     std::cout << file << ": " << (folder / file).string() << '\n';
 }
 
+/// What `simulate` gives; nothing, and why, where a guard stops the simulation: a diagnosis is not
+/// lost because one of its cases cannot be pressed.
+template <class Simulate>
+auto unless_guarded(Simulate simulate) -> std::optional<decltype(simulate())> {
+  try {
+    return simulate();
+  } catch (dem::PhysicsGuard const& guard) {
+    std::cout << fmt::format("  not simulated to its end: {}\n", guard.what());
+    return std::nullopt;
+  }
+}
+
 /// How far those entries of the named causes go of which only simulations tell.
 void search_doses(finding::CaseDiagnosis const& diagnosis, Case const& setup, CaseRuns& runs,
                   finding::BedFacts& facts) {
@@ -80,14 +94,20 @@ void search_doses(finding::CaseDiagnosis const& diagnosis, Case const& setup, Ca
     auto const dosed = dosed_cause(cause, setup, facts);
     if (!dosed || !dosed->obstacle.empty())
       continue;
-    auto const without = runs.press_of("calibrated", extended_case(setup, {}, found.calibrated));
+    auto const without = unless_guarded(
+        [&] { return runs.press_of("calibrated", extended_case(setup, {}, found.calibrated)); });
+    if (!without)
+      return;
     int n = 0;
-    auto const effect_of = [&](double dose) {
+    auto const effect_of = [&](double dose) -> std::optional<double> {
       auto trial = facts;
       trial.doses[cause.name] = {dose, ""};
-      auto const with = runs.press_of(fmt::format("{}_{}", cause.name, ++n),
-                                      extended_case(setup, {cause}, found.calibrated, trial));
-      double const effect = diagnosis.effect_shown(cause.name, without, with);
+      auto const what = extended_case(setup, {cause}, found.calibrated, trial);
+      auto const with = unless_guarded(
+          [&] { return runs.press_of(fmt::format("{}_{}", cause.name, ++n), what); });
+      if (!with)
+        return std::nullopt;
+      double const effect = diagnosis.effect_shown(cause.name, *without, *with);
       std::cout << fmt::format("  {} of dose {:.3g}: {:.2f} of the effect\n", cause.name, dose,
                                effect);
       return effect;
@@ -105,9 +125,15 @@ void search_doses(finding::CaseDiagnosis const& diagnosis, Case const& setup, Ca
 void score_by_simulation(finding::CaseDiagnosis& diagnosis, Case const& setup, CaseRuns& runs,
                          finding::BedFacts const& facts) {
   auto const found = diagnosis.finding();
-  auto const calibrated = runs.press_of("calibrated", extended_case(setup, {}, found.calibrated));
-  auto const extended = runs.press_of("extended", extended_case(setup, found, facts));
-  diagnosis.score_simulations(calibrated, extended);
+  auto const simulated = [&](char const* name, finding::ExtendedCase const& what) {
+    return unless_guarded([&] { return runs.press_of(name, what); });
+  };
+  auto const calibrated = simulated("calibrated", extended_case(setup, {}, found.calibrated));
+  auto const extended = simulated("extended", extended_case(setup, found, facts));
+  if (calibrated && extended)
+    diagnosis.score_simulations(*calibrated, *extended);
+  else
+    std::cout << "the gain is the emulator's: the cases above cannot be pressed as they are\n";
 }
 
 int diagnose_curves(Case const& setup, measured::MeasuredData const& data,

@@ -23,7 +23,7 @@ double crossing(Tried const& first, Tried const& last, double farthest) {
 } // namespace
 
 FoundDose search_dose(Dose const& dose, DoseSearch const& search,
-                      std::function<double(double)> const& effect_of) {
+                      std::function<std::optional<double>(double)> const& effect_of) {
   constexpr double largest_step = 4.0;
   auto const distance = [](double effect) { return std::abs(effect - 1.0); };
   Tried last{0.0, 0.0}; // below 1
@@ -31,7 +31,10 @@ FoundDose search_dose(Dose const& dose, DoseSearch const& search,
   double at = std::min(dose.guess, dose.largest);
   FoundDose best{.dose = at, .effect = 0.0, .n_simulations = 0, .is_reached = false};
   for (int n = 1; n <= search.most_simulations; ++n) {
-    Tried const now{at, effect_of(at)};
+    auto const effect = effect_of(at);
+    if (!effect)
+      break;
+    Tried const now{at, *effect};
     if (n == 1 || distance(now.effect) < distance(best.effect))
       best = {now.dose, now.effect, n, distance(now.effect) <= search.tolerance};
     best.n_simulations = n;
@@ -50,6 +53,8 @@ FoundDose search_dose(Dose const& dose, DoseSearch const& search,
 }
 
 std::string in_words(FoundDose const& found) {
+  if (found.n_simulations == 0)
+    return "a first guess, whose simulation failed";
   return fmt::format("by {} simulation{}, the nearest of which shows {:.2f} of the effect{}",
                      found.n_simulations, found.n_simulations == 1 ? "" : "s", found.effect,
                      found.is_reached ? "" : ": not reached");
