@@ -39,7 +39,9 @@ std::optional<PowderResponse> elastic_step(L const& law, Split const& split) {
   using Pair = Dual<2>;
   auto const stress = law.elastic(Pair::variable(trial.volumetric, 0),
                                   Pair::variable(trial.deviatoric, 1), Pair(trial.compaction));
-  if (!(law.yield(stress.p.value, stress.q.value, trial.compaction) <= 0.0))
+  // A point that stands on its surface is outside by rounding, where no plastic step would end.
+  double const rounding = 1e-14 * (stress.p.slope[0] + stress.q.slope[1]);
+  if (!(law.yield(stress.p.value, stress.q.value, trial.compaction) <= rounding))
     return std::nullopt;
   Eigen::Matrix2d tangent;
   tangent << stress.p.slope.transpose(), stress.q.slope.transpose();

@@ -112,8 +112,7 @@ std::vector<int> near_rivals(Selection const& selection, Fit const& best, int me
   std::vector<int> rivals;
   for (auto const& one : selection.hypotheses) {
     if (one.fit.active.size() != best.active.size() || contains(one.fit, mechanism) ||
-        std::min(one.fit.objective() - best.objective(), one.fit.chi_squared - best.chi_squared) >
-            near * selection.tempering)
+        one.fit.objective() - best.objective() > near * selection.tempering)
       continue;
     std::vector<int> others;
     for (int const j : one.fit.active)
